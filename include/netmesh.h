@@ -557,6 +557,10 @@ enum nm_violation
      */
     NM_VIOLATION_DOMAIN_ARRAYS = 20,
     /**
+     * The simplices that are given for a subfacet are not those that have it, on these sides.
+     */
+    NM_VIOLATION_SUBFACET_SIMPLICES = 21,
+    /**
      * Ids of a mesh on several ranks do not rise, are out of range, or are counted from different
      * numbers by two ranks.
      */
@@ -625,6 +629,31 @@ enum nm_violation
      * A vertex on a segment is farther from it than rounding makes it.
      */
     NM_VIOLATION_SEGMENT_LINE = 109,
+    /**
+     * A subfacet is no face of the mesh.
+     */
+    NM_VIOLATION_SUBFACET_FACE = 110,
+    /**
+     * A subfacet is flat or turned round in the projection of its facet.
+     */
+    NM_VIOLATION_FACET_TRIANGLE = 111,
+    /**
+     * The subfacets of a facet do not meet along their edges, or do not end at its loops.
+     */
+    NM_VIOLATION_FACET_TILING = 112,
+    /**
+     * The subfacets of a facet have another area than the facet.
+     */
+    NM_VIOLATION_FACET_AREA = 113,
+    /**
+     * A vertex on a facet is farther from its plane than rounding makes it.
+     */
+    NM_VIOLATION_FACET_PLANE = 114,
+    /**
+     * Triangles of the caller's are one facet and may not be, or subfacets belong to no facet of
+     * the caller's.
+     */
+    NM_VIOLATION_FACET_GROUP = 115,
     /**
      * An input's vertex does not exist or has other coordinates.
      */
@@ -738,9 +767,18 @@ enum nm_violation
      */
     NM_VIOLATION_REGION_AREA = 227,
     /**
-     * A simplex is marked as forced by a small angle between segments, and is not.
+     * A simplex is marked as forced by a small angle between segments or facets, and is not.
      */
     NM_VIOLATION_FORCED_SIMPLEX = 228,
+    /**
+     * The simplices with one label have another volume than the facets about them enclose.
+     */
+    NM_VIOLATION_REGION_VOLUME = 229,
+    /**
+     * A simplex is marked as flat in a facet without all of its vertices on one, or is not marked
+     * with them.
+     */
+    NM_VIOLATION_FLAT_SIMPLEX = 230,
 };
 #ifndef __cplusplus
 typedef int32_t nm_violation;
@@ -834,7 +872,7 @@ enum nm_format
  {
     /**
      * Format that the extension of the path names: .vtu, .node and .ele, .msh, .mesh, .off, .ply, .xyz (.txt,
-     * .xy, .pts), .csv, .npy, .poly, .geojson, .wkt, .voronoi.json, .domains.json.
+     * .xy, .pts), .csv, .npy, .poly, .smesh, .geojson, .wkt, .voronoi.json, .domains.json.
      */
     NM_FORMAT_AUTO = 0,
     /**
@@ -884,8 +922,8 @@ enum nm_format
      */
     NM_FORMAT_DOMAINS_JSON = 11,
     /**
-     * Triangle's points, segments, holes and regions of the plane, read only (.poly); the points
-     * may be in the .node file beside.
+     * Triangle's points, segments, holes and regions of the plane, or TetGen's points, facets,
+     * holes and regions of space, read only (.poly); the points may be in the .node file beside.
      */
     NM_FORMAT_POLY = 12,
     /**
@@ -899,6 +937,10 @@ enum nm_format
      * NM_FORMAT_GEOJSON; the marker is the number of the geometry, from 1.
      */
     NM_FORMAT_WKT = 14,
+    /**
+     * TetGen's points, facets of one polygon each, holes and regions, read only (.smesh).
+     */
+    NM_FORMAT_SMESH = 15,
 };
 #ifndef __cplusplus
 typedef int32_t nm_format;
@@ -959,20 +1001,20 @@ enum nm_intersection_kind
     /**
      * The interior of one of the two goes through the other.
      */
-    NM_INTERSECTION_CROSS = 1,
+    NM_INTERSECTION_CROSS = 0,
     /**
      * They meet on the boundary of one of them, and neither goes through the other.
      */
-    NM_INTERSECTION_TOUCH = 2,
+    NM_INTERSECTION_TOUCH = 1,
     /**
      * They share an area or a length: coplanar facets that overlap, collinear segments and edges,
      * duplicates.
      */
-    NM_INTERSECTION_OVERLAP = 3,
+    NM_INTERSECTION_OVERLAP = 2,
     /**
      * The facet, or a triangle of it, has no area; both features are that facet.
      */
-    NM_INTERSECTION_ZERO_AREA = 4,
+    NM_INTERSECTION_ZERO_AREA = 3,
 };
 #ifndef __cplusplus
 typedef int32_t nm_intersection_kind;
@@ -1105,6 +1147,8 @@ enum nm_vertex_kind
 #ifndef __cplusplus
 typedef int32_t nm_vertex_kind;
 #endif // __cplusplus
+
+typedef struct DoubleDouble DoubleDouble;
 
 /**
  * Points, and after nm_run their mesh. Made by nm_mesh_create and its like, freed by nm_mesh_free.
@@ -1557,7 +1601,7 @@ typedef struct nm_intersection {
      */
     nm_intersection_kind kind;
     /**
-     * Whether the first of the two is a facet or a segment.
+     * The kind of the first of the two, a facet or a segment.
      */
     nm_feature first_feature;
     /**
@@ -1565,7 +1609,7 @@ typedef struct nm_intersection {
      */
     uint32_t first;
     /**
-     * Whether the second is a facet or a segment.
+     * The kind of the second.
      */
     nm_feature second_feature;
     /**

@@ -209,7 +209,7 @@ pub enum nm_intersection_kind {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum nm_format {
     /// Format that the extension of the path names: .vtu, .node and .ele, .msh, .mesh, .off, .ply, .xyz (.txt,
-    /// .xy, .pts), .csv, .npy, .poly, .geojson, .wkt, .voronoi.json, .domains.json.
+    /// .xy, .pts), .csv, .npy, .poly, .smesh, .geojson, .wkt, .voronoi.json, .domains.json.
     NM_FORMAT_AUTO = 0,
     /// VTK XML unstructured grid (.vtu), for ParaView and VTK, with arrays per point and per cell.
     /// Dimensions 2 and 3.
@@ -235,8 +235,8 @@ pub enum nm_format {
     NM_FORMAT_VORONOI_JSON = 10,
     /// The hierarchy of domains with their cages as JSON (.domains.json).
     NM_FORMAT_DOMAINS_JSON = 11,
-    /// Triangle's points, segments, holes and regions of the plane, read only (.poly); the points
-    /// may be in the .node file beside.
+    /// Triangle's points, segments, holes and regions of the plane, or TetGen's points, facets,
+    /// holes and regions of space, read only (.poly); the points may be in the .node file beside.
     NM_FORMAT_POLY = 12,
     /// GeoJSON (RFC 7946): points, lines and polygons of the plane, read only (.geojson). Lines and
     /// rings are segments; their marker is the number of the feature, from 1. A third coordinate
@@ -245,6 +245,8 @@ pub enum nm_format {
     /// Well-known text: geometries of the plane, one after another, read only (.wkt). As of
     /// NM_FORMAT_GEOJSON; the marker is the number of the geometry, from 1.
     NM_FORMAT_WKT = 14,
+    /// TetGen's points, facets of one polygon each, holes and regions, read only (.smesh).
+    NM_FORMAT_SMESH = 15,
 }
 
 /// Returns the byte of a placement at the boundary.

@@ -1,26 +1,27 @@
-//! Places where facets and segments in space meet though they must not.
+//! Intersections: pairs of facets and segments in space that meet in more than they share.
 
-/// Facet or segment of the caller's.
+/// Facet or segment of the caller's. Facets come before segments in the order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Feature {
-    /// Facet, or triangle of a surface, by its number.
+    /// Facet, by its number in [`super::Facets`].
     Facet(u32),
-    /// Segment, by its number.
+    /// Segment, by its number in [`super::Segments`].
     Segment(u32),
 }
 
-/// Manner in which two facets or segments meet. Facets may meet only in vertices and edges that
-/// both have, by the number of the distinct input.
+/// Kind of an intersection, with the numbers of C.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(i32)]
 pub enum IntersectionKind {
-    /// They go through each other: a point is in the interior of both.
+    /// The interior of one goes through the other.
     Cross = 0,
-    /// They meet only where one of them ends, at a corner or along an edge.
+    /// They meet at a point or along a line that is on the boundary of one of them, and neither
+    /// goes through the other.
     Touch = 1,
-    /// They share a piece of positive length of their edges, or a piece of positive area.
+    /// They share an area or, of two that meet along a line, a length without sharing it as an edge:
+    /// coplanar facets that overlap, collinear segments, duplicates.
     Overlap = 2,
-    /// The facet has no area. Both features are this facet.
+    /// The facet, or a triangle of it, has no area. Both features are the facet.
     ZeroArea = 3,
 }
 
@@ -37,14 +38,16 @@ impl IntersectionKind {
     }
 }
 
-/// Two facets or segments that meet though they must not, or one facet that is at fault itself.
+/// Pair of features that meet where they share neither a vertex nor an edge, or a facet that meets
+/// itself; of several such places of one pair the first that was found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Intersection {
-    /// Feature that comes first: facets come before segments, both in the caller's order.
+    /// The lesser of the two features.
     pub first: Feature,
-    /// Other feature; the same one for a facet that meets itself or has no area.
+    /// The greater of the two features; equal to the first where a facet meets itself.
     pub second: Feature,
+    /// Kind of the intersection.
     pub kind: IntersectionKind,
-    /// Point where they meet, but for roundings.
+    /// Point of the intersection, rounded to doubles.
     pub point: [f64; 3],
 }

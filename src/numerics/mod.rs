@@ -25,6 +25,7 @@
 //! group uses another one only through its front page, and `exact` uses no other group.
 
 mod affine;
+mod double_double;
 mod exact;
 mod filters;
 mod laplace;
@@ -41,6 +42,7 @@ pub(crate) mod testing;
 mod timing;
 
 pub use affine::{AffineBasis, affine_basis};
+pub(crate) use double_double::DoubleDouble;
 pub(crate) use exact::{Column, Edges};
 pub(crate) use exact::{Lines, compare_crossings, compare_to_crossing, crossing};
 pub use exact::{ScaledCenter, circumcenter_exact, in_ball_exact, orientation_exact};

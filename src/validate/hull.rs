@@ -132,17 +132,17 @@ fn check_links<const D: usize>(
     Ok(())
 }
 
-/// Disjoint sets with path halving.
-struct Sets {
+/// Disjoint sets with path halving. A set is called by its least item.
+pub(super) struct Sets {
     parents: Vec<u32>,
 }
 
 impl Sets {
-    fn new(count: usize) -> AllocResult<Self> {
+    pub fn new(count: usize) -> AllocResult<Self> {
         Ok(Self { parents: collected(0..count as u32)? })
     }
 
-    fn find(&mut self, mut item: usize) -> usize {
+    pub fn find(&mut self, mut item: usize) -> usize {
         while self.parents[item] as usize != item {
             let above = self.parents[item] as usize;
             self.parents[item] = self.parents[above];
@@ -151,7 +151,7 @@ impl Sets {
         item
     }
 
-    fn join(&mut self, a: usize, b: usize) {
+    pub fn join(&mut self, a: usize, b: usize) {
         let (a, b) = (self.find(a), self.find(b));
         self.parents[a.max(b)] = a.min(b) as u32;
     }

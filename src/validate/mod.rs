@@ -9,7 +9,7 @@
 //! - Level 3, the paper: inputs are vertices with their bits, the domains are a tree of disjoint
 //!   balls, cages are not encroached (Definition 2), and cells have the promised quality
 //!   (Definition 4), precision-limited ones apart.
-//! - Segments and regions of the plane have rules in each level: see [`boundary`].
+//! - Segments, facets and regions have rules in each level: see [`boundary`].
 //!
 //! Quality conventions at level 3: Definition 4 holds over all corners in a domain whose cage
 //! surrounds its inputs: the root, and every domain if `epsilon <= 0.8 cage_scale`. In others a
@@ -71,8 +71,8 @@ pub fn validate(inputs: &Inputs, triangulation: &Triangulation, level: u32) -> R
     check_levels(inputs, None, triangulation, level)
 }
 
-/// Checks a triangulation as [`validate`] does, and the segments and regions that the caller of the
-/// run gave beside the points.
+/// Checks a triangulation as [`validate`] does, and the segments, facets and regions that the caller
+/// of the run gave beside the points.
 ///
 /// # Errors
 /// Fails as [`validate`] does.
@@ -91,7 +91,8 @@ pub fn validate_outlined(
 /// Fails as [`validate`] does, and with `State` before a run.
 pub fn validate_mesh(mesh: &Mesh, level: u32) -> Result<Report> {
     let (segments, regions) = mesh.outline_of_result();
-    validate_outlined(mesh.inputs(), Outline { segments, regions }, mesh.result()?, level)
+    let facets = mesh.facets_of_result();
+    validate_outlined(mesh.inputs(), Outline { segments, facets, regions }, mesh.result()?, level)
 }
 
 fn check_levels(
@@ -196,7 +197,7 @@ fn check_paper<const D: usize>(
         cages::check(view, &tree, &cells, findings)?;
         aspect::check(view, &cells, findings)?;
     }
-    angles::check(view, findings)?;
+    angles::check(view, promised, findings)?;
     let of_regions = boundary::largest_edges(case.outline, view)?;
     sizes::check(inputs, view, promised, &of_regions, findings)?;
     let finished = mesh.parameters.output == Output::WellSpaced;

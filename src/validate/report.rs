@@ -56,6 +56,8 @@ pub enum ViolationKind {
     /// The arrays of a domain that is cut out are not the first parts of those of the whole, or its
     /// subsegments are not those that are edges of its simplices.
     DomainArrays = 20,
+    /// The simplices that are given for a subfacet are not those that have it, on these sides.
+    SubfacetSimplices = 21,
 
     /// Ids of a mesh on several ranks do not rise, are out of range, or are counted from different
     /// numbers by two ranks.
@@ -93,6 +95,19 @@ pub enum ViolationKind {
     SegmentChain = 108,
     /// A vertex on a segment is farther from it than rounding makes it.
     SegmentLine = 109,
+    /// A subfacet is no face of the mesh.
+    SubfacetFace = 110,
+    /// A subfacet is flat or turned round in the projection of its facet.
+    FacetTriangle = 111,
+    /// The subfacets of a facet do not meet along their edges, or do not end at its loops.
+    FacetTiling = 112,
+    /// The subfacets of a facet have another area than the facet.
+    FacetArea = 113,
+    /// A vertex on a facet is farther from its plane than rounding makes it.
+    FacetPlane = 114,
+    /// Triangles of the caller's are one facet and may not be, or subfacets belong to no facet of
+    /// the caller's.
+    FacetGroup = 115,
 
     /// An input's vertex does not exist or has other coordinates.
     InputVertex = 201,
@@ -152,13 +167,18 @@ pub enum ViolationKind {
     DomainPlace = 226,
     /// The simplices with one label have another area than the polygons about them.
     RegionArea = 227,
-    /// A simplex is marked as forced by a small angle between segments, and is not.
+    /// A simplex is marked as forced by a small angle between segments or facets, and is not.
     ForcedSimplex = 228,
+    /// The simplices with one label have another volume than the facets about them enclose.
+    RegionVolume = 229,
+    /// A simplex is marked as flat in a facet without all of its vertices on one, or is not marked
+    /// with them.
+    FlatSimplex = 230,
 }
 
 impl ViolationKind {
     /// Every kind, in the order of the values.
-    pub const ALL: [Self; 66] = [
+    pub const ALL: [Self; 75] = [
         Self::None,
         Self::ArrayLength,
         Self::NonFinite,
@@ -180,6 +200,7 @@ impl ViolationKind {
         Self::HullLink,
         Self::BoundaryArrays,
         Self::DomainArrays,
+        Self::SubfacetSimplices,
         Self::Ids,
         Self::SharedVertex,
         Self::VertexOwner,
@@ -197,6 +218,12 @@ impl ViolationKind {
         Self::SubsegmentGabriel,
         Self::SegmentChain,
         Self::SegmentLine,
+        Self::SubfacetFace,
+        Self::FacetTriangle,
+        Self::FacetTiling,
+        Self::FacetArea,
+        Self::FacetPlane,
+        Self::FacetGroup,
         Self::InputVertex,
         Self::InputBits,
         Self::VertexKind,
@@ -225,6 +252,8 @@ impl ViolationKind {
         Self::DomainPlace,
         Self::RegionArea,
         Self::ForcedSimplex,
+        Self::RegionVolume,
+        Self::FlatSimplex,
     ];
 
     /// Returns the level whose rule it is; 0 for `None`.

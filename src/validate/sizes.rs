@@ -39,7 +39,9 @@ pub(super) fn check<const D: usize>(
         let is_limited = vertices.iter().any(|&vertex| mesh.precision_limited[vertex as usize]);
         if !is_limited && meets(points, &bounds) {
             let max_edge = of_regions.get(simplex).map_or(overall, |own| own.min(overall));
-            check_radius(view, simplex, points, max_edge, findings)?;
+            if !promised.is_flat(simplex) {
+                check_radius(view, simplex, points, max_edge, findings)?;
+            }
             check_edges(simplex, points, max_edge, findings);
         }
     }

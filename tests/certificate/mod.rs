@@ -2,6 +2,7 @@
 
 mod corruptions;
 mod extents;
+mod facets;
 mod geometry;
 mod histograms;
 mod interiors;
@@ -10,6 +11,7 @@ mod meshes;
 mod paper;
 mod segments;
 mod sizes;
+mod solids;
 
 use meshes::{Case, brute_force, by_hand, pairs, random_points, run};
 use netmesh::options::{Algorithm, Criterion, Options, Output};

@@ -1,7 +1,7 @@
 //! Corruptions of segments, regions and the domain that they enclose.
 
 use super::meshes::{Case, run};
-use netmesh::mesh::Boxed;
+use netmesh::mesh::{Boxed, Facets};
 use netmesh::options::{Algorithm, Crossings, Extent, Interior, Options, Output};
 use netmesh::quality::measure;
 use netmesh::validate::{Outline, Report, ViolationKind as Kind, validate_mesh, validate_outlined};
@@ -38,7 +38,8 @@ impl Domain {
     }
 
     pub fn report(&self, level: u32) -> Report {
-        let outline = Outline { segments: &self.segments, regions: &self.regions };
+        let facets = Facets::default();
+        let outline = Outline { segments: &self.segments, facets: &facets, regions: &self.regions };
         validate_outlined(&self.case.inputs, outline, &self.case.mesh, level).unwrap()
     }
 

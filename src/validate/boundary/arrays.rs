@@ -1,11 +1,11 @@
-//! Level 1: the arrays of segments and regions fit the mesh, and those of a domain that is cropped
+//! Level 1: the arrays of segments, facets and regions fit the mesh, and those of a domain that is cropped
 //! are the first parts of those of the whole.
 
 use super::Outline;
 use super::edges::Edges;
 use crate::error::message;
 use crate::memory::AllocResult;
-use crate::mesh::{NONE, Triangulation};
+use crate::mesh::{Boundary, NONE, Triangulation};
 use crate::options::Extent;
 use crate::quality::view::View;
 use crate::validate::report::{Findings, Violation, ViolationKind};
@@ -19,7 +19,10 @@ pub(super) fn check(
 ) {
     if check_lengths(whole, findings) {
         check_ids(outline, whole, findings);
-        check_forced(result, whole, findings);
+        check_facet_ids(outline, whole, findings);
+        let Boundary { forced, flat, .. } = &whole.boundary;
+        check_ascending("forced", forced, result.simplex_count(), findings);
+        check_ascending("flat", flat, whole.simplex_count(), findings);
     }
     if result.boundary.whole.is_some() {
         check_parts(result, whole, findings);
@@ -40,7 +43,7 @@ pub(super) fn check_kept(
     // Of subsegments between the same vertices the first has the sides of all.
     let is_kept = |ends: &[u32; 2]| {
         let first = edges.between(whole, *ends);
-        first.is_some_and(|(first, _)| edges.sides[first as usize].iter().any(is_inside))
+        first.is_some_and(|(first, _)| edges.walls.sides[first as usize].iter().any(is_inside))
     };
     let kept = all.subsegments.iter().zip(&all.parents).filter(|(ends, _)| is_kept(ends));
     let holds = kept.eq(own.subsegments.iter().zip(&own.parents));
@@ -55,13 +58,20 @@ pub(super) fn check_kept(
 fn check_lengths(mesh: &Triangulation, findings: &mut Findings) -> bool {
     let boundary = &mesh.boundary;
     let has_segments = !boundary.subsegments.is_empty();
-    let labels = if has_segments { mesh.simplex_count() } else { 0 };
+    let subfacets = boundary.subfacets.len();
+    let has_facets = subfacets > 0;
+    let labels = if has_segments || has_facets { mesh.simplex_count() } else { 0 };
+    let is_misplaced = !boundary.forced.is_empty() && !has_segments && !has_facets;
     let rows = [
         ("parents", boundary.parents.len(), boundary.subsegments.len()),
+        ("subfacet_parents", boundary.subfacet_parents.len(), subfacets),
+        ("subfacet_simplices", boundary.subfacet_simplices.len(), subfacets),
         ("simplex_regions", boundary.simplex_regions.len(), labels),
         ("a whole of the whole", usize::from(boundary.whole.is_some()), 0),
-        ("segments beyond the plane", usize::from(has_segments && mesh.dim != 2), 0),
-        ("forced simplices without segments", usize::from(misplaced(mesh)), 0),
+        ("segments beyond space", usize::from(has_segments && mesh.dim > 3), 0),
+        ("facets out of space", usize::from(has_facets && mesh.dim != 3), 0),
+        ("forced simplices without segments or facets", usize::from(is_misplaced), 0),
+        ("flat simplices without facets", usize::from(!boundary.flat.is_empty() && !has_facets), 0),
     ];
     let mut holds = true;
     for (what, found, needed) in rows {
@@ -71,10 +81,6 @@ fn check_lengths(mesh: &Triangulation, findings: &mut Findings) -> bool {
         });
     }
     holds
-}
-
-fn misplaced(mesh: &Triangulation) -> bool {
-    !mesh.boundary.forced.is_empty() && mesh.boundary.subsegments.is_empty()
 }
 
 /// Checks that subsegments name two vertices and a segment, and stand by segments. An extent has a
@@ -92,7 +98,9 @@ fn check_ids(outline: Option<Outline<'_>>, mesh: &Triangulation, findings: &mut 
             let message = message!("subsegment {at} is from vertex {a} to {b} of {vertices}");
             Violation::new(ViolationKind::BoundaryArrays, message)
         });
-        let is_known = if parent == NONE { has_frame } else { (parent as usize) < segments };
+        // In space edges of facets are subsegments, too.
+        let may_be_none = has_frame || mesh.dim == 3;
+        let is_known = if parent == NONE { may_be_none } else { (parent as usize) < segments };
         findings.check(is_known && parent >= last, || {
             let message =
                 message!("subsegment {at} is of segment {parent}, after one of segment {last}");
@@ -102,13 +110,35 @@ fn check_ids(outline: Option<Outline<'_>>, mesh: &Triangulation, findings: &mut 
     }
 }
 
-fn check_forced(result: &Triangulation, whole: &Triangulation, findings: &mut Findings) {
-    let (forced, count) = (&whole.boundary.forced, result.simplex_count());
-    let ascends = forced.windows(2).all(|pair| pair[0] < pair[1]);
-    let last = forced.last().copied();
+/// Checks that subfacets name three vertices and a facet, and stand by facets.
+fn check_facet_ids(outline: Option<Outline<'_>>, mesh: &Triangulation, findings: &mut Findings) {
+    let vertices = mesh.vertex_count();
+    let facets = outline.map_or(NONE as usize, |outline| outline.facets.count());
+    let has_frame = matches!(mesh.parameters.extent, Extent::Hull | Extent::Box);
+    let Boundary { subfacets, subfacet_parents, .. } = &mesh.boundary;
+    let mut last = 0;
+    for (at, (&[a, b, c], &parent)) in subfacets.iter().zip(subfacet_parents).enumerate() {
+        let is_triangle = a != b && b != c && c != a;
+        findings.check(is_triangle && (a.max(b).max(c) as usize) < vertices, || {
+            let message = message!("subfacet {at} has the vertices {a}, {b}, {c} of {vertices}");
+            Violation::new(ViolationKind::BoundaryArrays, message)
+        });
+        let is_known = if parent == NONE { has_frame } else { (parent as usize) < facets };
+        findings.check(is_known && parent >= last, || {
+            let message = message!("subfacet {at} is of facet {parent}, after one of facet {last}");
+            Violation::new(ViolationKind::BoundaryArrays, message)
+        });
+        last = parent;
+    }
+}
+
+/// Checks that a list names some of the first `count` simplices, by rising id.
+fn check_ascending(what: &str, list: &[u32], count: usize, findings: &mut Findings) {
+    let ascends = list.windows(2).all(|pair| pair[0] < pair[1]);
+    let last = list.last().copied();
     findings.check(ascends && last.is_none_or(|last| (last as usize) < count), || {
         let message = message!(
-            "forced simplices, the last of them {last:?}, are not {count} simplices' by rising id"
+            "{what} simplices, the last of them {last:?}, are not {count} simplices' by rising id"
         );
         Violation::new(ViolationKind::BoundaryArrays, message)
     });
@@ -145,6 +175,7 @@ fn check_parts(result: &Triangulation, whole: &Triangulation, findings: &mut Fin
         ("simplex_regions", begins(&own.simplex_regions, &all.simplex_regions)),
         ("simplex_regions", own.simplex_regions.len() == simplices),
         ("forced", own.forced == all.forced),
+        ("flat", own.flat == all.flat[..all.flat.partition_point(|&id| (id as usize) < simplices)]),
         ("parameters", result.parameters == whole.parameters),
     ];
     for (what, holds) in rows {

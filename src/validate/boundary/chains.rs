@@ -3,10 +3,10 @@
 //! of that part to the other.
 
 use super::edges::Edges;
-use super::exact::{Point, meets, unit_in_last_place};
+use super::exact::{meets, unit_in_last_place};
 use super::lines::is_anchor;
 use crate::error::message;
-use crate::memory::{AllocResult, TryGrow, filled};
+use crate::memory::{AllocResult, Lists, TryGrow, filled};
 use crate::mesh::{Inputs, NONE, Segments};
 use crate::quality::view::View;
 use crate::validate::report::{Findings, Violation, ViolationKind};
@@ -15,12 +15,12 @@ use std::cmp::Ordering;
 /// A segment goes through inputs and crossings that are nearer to it than rounding explains, and
 /// through those near it then. None of these is farther from it than so many units in the last
 /// place of the larger coordinates of its ends, along each axis.
-const BENT: f64 = 16.0;
+pub(super) const BENT: f64 = 16.0;
 
-pub(super) struct Chains<'a> {
-    view: View<'a, 2>,
-    edges: &'a Edges,
-    inputs: usize,
+pub(super) struct Chains<'a, const D: usize> {
+    view: View<'a, D>,
+    /// Vertex -> the subsegments that end there.
+    at: &'a Lists,
     /// Vertex -> from where the search of a way has come to it, and in which search.
     reached: Vec<(u32, u32)>,
     searches: u32,
@@ -44,13 +44,13 @@ pub(super) fn check(
     edges: &Edges,
     findings: &mut Findings,
 ) -> AllocResult<()> {
-    let mut chains = Chains::new(inputs.distinct(), view, edges)?;
+    let mut chains = Chains::new(view, &edges.at)?;
     for segment in 0..segments.count() {
         let way = Way::of(inputs, segments, segment);
         let found = chains.follow(way)?;
         findings.check(found.is_ok(), || describe(way, found.err().unwrap_or(NONE)));
         if found.is_ok() {
-            chains.check_anchors(way, findings)?;
+            check_anchors(&chains, inputs.distinct(), edges, way, findings)?;
         }
     }
     Ok(())
@@ -64,7 +64,7 @@ impl Way {
     }
 }
 
-fn describe(way: Way, vertex: u32) -> Violation {
+pub(super) fn describe(way: Way, vertex: u32) -> Violation {
     let message = message!(
         "no subsegments lead on from vertex {vertex} on segment {}, from vertex {} to {}",
         way.segment,
@@ -74,11 +74,11 @@ fn describe(way: Way, vertex: u32) -> Violation {
     Violation::new(ViolationKind::SegmentChain, message).vertex(vertex as usize)
 }
 
-impl<'a> Chains<'a> {
-    pub fn new(inputs: usize, view: View<'a, 2>, edges: &'a Edges) -> AllocResult<Self> {
+impl<'a, const D: usize> Chains<'a, D> {
+    pub fn new(view: View<'a, D>, at: &'a Lists) -> AllocResult<Self> {
         let reached = filled(view.vertex_count(), (NONE, NONE))?;
         let (path, waiting) = Default::default();
-        Ok(Self { view, edges, inputs, reached, searches: 0, path, waiting })
+        Ok(Self { view, at, reached, searches: 0, path, waiting })
     }
 
     /// Returns the vertices of the way that was found last, from end to end.
@@ -122,7 +122,7 @@ impl<'a> Chains<'a> {
     }
 
     /// Returns true if `b` comes after `a` along the segment: on the axis on which its ends are
-    /// most units in the last place apart, or on the other one if they are level there.
+    /// most units in the last place apart, or on the next one if they are level there.
     fn advances(&self, way: Way, a: u32, b: u32) -> bool {
         let [from, to] = way.ends.map(|end| self.view.point(end));
         let [a, b] = [a, b].map(|vertex| self.view.point(vertex));
@@ -130,12 +130,13 @@ impl<'a> Chains<'a> {
             let unit = unit_in_last_place(from[k].abs().max(to[k].abs()));
             (to[k] - from[k]).abs().min(f64::MAX) / unit
         };
-        let axis = usize::from(steps(1) > steps(0));
+        let mut axes: [usize; D] = std::array::from_fn(|k| k);
+        axes.sort_by(|&j, &k| steps(k).total_cmp(&steps(j)));
         let order = |k: usize| match to[k] < from[k] {
             true => b[k].partial_cmp(&a[k]),
             false => a[k].partial_cmp(&b[k]),
         };
-        [axis, 1 - axis].into_iter().find_map(|k| order(k).filter(|order| order.is_ne()))
+        axes.into_iter().find_map(|k| order(k).filter(|order| order.is_ne()))
             == Some(Ordering::Less)
     }
 
@@ -170,9 +171,9 @@ impl<'a> Chains<'a> {
                 return self.append_way(from, to);
             }
             // Those of no segment come last, and so go first: they are the extent's own.
-            let (edges, parents) = (self.edges, &self.view.mesh.boundary.parents);
+            let (at, parents) = (self.at, &self.view.mesh.boundary.parents);
             let of_none = |subsegment: &&u32| parents[**subsegment as usize] == NONE;
-            let at_vertex = || edges.at.of(vertex as usize).iter();
+            let at_vertex = || at.of(vertex as usize).iter();
             let others = at_vertex().filter(|subsegment| !of_none(subsegment));
             for &subsegment in others.chain(at_vertex().filter(of_none)) {
                 let next = self.next_of_gap(way, subsegment, [vertex, to], is_bent)?;
@@ -218,29 +219,37 @@ impl<'a> Chains<'a> {
 
     /// Returns true if `vertex` is within half a unit in the last place of the segment, or if that
     /// `is_bent` within some units of its ends.
-    fn is_near(&self, way: Way, vertex: u32, is_bent: bool) -> AllocResult<bool> {
-        let [from, to]: [&Point; 2] = way.ends.map(|end| self.view.point(end));
+    pub fn is_near(&self, way: Way, vertex: u32, is_bent: bool) -> AllocResult<bool> {
+        let [from, to] = way.ends.map(|end| self.view.point(end));
         let p = self.view.point(vertex);
         let width = |axis: usize| match is_bent {
             true => 2.0 * BENT * unit_in_last_place(from[axis].abs().max(to[axis].abs())),
             false => unit_in_last_place(p[axis]),
         };
-        meets(from, to, p, [width(0), width(1)])
+        meets(from, to, p, std::array::from_fn(width))
     }
+}
 
-    /// Checks that the anchors on the way are near the segment itself, not only near each other's
-    /// lines.
-    fn check_anchors(&self, way: Way, findings: &mut Findings) -> AllocResult<()> {
-        let between = &self.path[1..self.path.len() - 1];
-        let is_anchor =
-            |&&vertex: &&u32| is_anchor(self.view.mesh, self.inputs, self.edges, vertex);
-        for &vertex in between.iter().filter(is_anchor) {
-            let is_near = self.is_near(way, vertex, true)?;
-            findings.check(is_near, || {
-                let message = message!("vertex {vertex} is too far from segment {}", way.segment);
-                Violation::new(ViolationKind::SegmentLine, message).vertex(vertex as usize)
-            });
-        }
-        Ok(())
+/// Checks that the anchors on the way that was found last are near the segment itself, not only
+/// near each other's lines.
+fn check_anchors(
+    chains: &Chains<'_, 2>,
+    inputs: usize,
+    edges: &Edges,
+    way: Way,
+    findings: &mut Findings,
+) -> AllocResult<()> {
+    let path = chains.found();
+    let is_anchor = |&&vertex: &&u32| is_anchor(chains.view.mesh, inputs, edges, vertex);
+    for &vertex in path[1..path.len() - 1].iter().filter(is_anchor) {
+        let is_near = chains.is_near(way, vertex, true)?;
+        findings.check(is_near, || describe_distance(way.segment, vertex));
     }
+    Ok(())
+}
+
+/// Describes a vertex on a segment that is too far from it.
+pub(super) fn describe_distance(segment: u32, vertex: u32) -> Violation {
+    let message = message!("vertex {vertex} is too far from segment {segment}");
+    Violation::new(ViolationKind::SegmentLine, message).vertex(vertex as usize)
 }

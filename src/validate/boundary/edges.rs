@@ -1,8 +1,9 @@
 //! Level 2: every subsegment is an edge of the triangulation, and Gabriel.
 
 use super::exact::{Point, meets, side_of_diametral_circle, unit_in_last_place};
+use super::walls::Walls;
 use crate::error::message;
-use crate::memory::{AllocResult, Lists, filled};
+use crate::memory::{AllocResult, Lists};
 use crate::mesh::NONE;
 use crate::quality::view::View;
 use crate::validate::report::{Findings, Violation, ViolationKind};
@@ -20,10 +21,7 @@ const NO_ROOM: f64 = 8.0;
 pub(super) struct Edges {
     /// Vertex -> the subsegments that end there.
     pub at: Lists,
-    /// Triangle and slot -> the subsegment opposite the vertex there, or [`NONE`].
-    pub of_slots: Vec<u32>,
-    /// Subsegment -> the triangles on its left and on its right, or [`NONE`].
-    pub sides: Vec<[u32; 2]>,
+    pub walls: Walls,
 }
 
 impl Edges {
@@ -31,24 +29,12 @@ impl Edges {
     /// with many subsegments.
     pub fn new(view: View<'_, 2>) -> AllocResult<Self> {
         let subsegments = &view.mesh.boundary.subsegments;
-        let at = Lists::of_pairs(view.vertex_count(), || {
-            let ends = subsegments.as_flattened().iter().enumerate();
-            ends.map(|(slot, &vertex)| (vertex, (slot / 2) as u32))
+        let at = at_vertices(view)?;
+        let walls = Walls::find(view, |edge| {
+            let found = between(subsegments, &at, *edge)?;
+            Some((found, subsegments[found as usize] == *edge))
         })?;
-        let mut of_slots = filled(3 * view.simplex_count(), NONE)?;
-        let mut sides = filled(subsegments.len(), [NONE; 2])?;
-        for simplex in 0..view.simplex_count() {
-            for slot in 0..3 {
-                let edge = edge(view, simplex, slot);
-                if let Some(subsegment) = between(subsegments, &at, edge) {
-                    // Triangles turn to the left: they are on the left of their edges.
-                    let side = usize::from(subsegments[subsegment as usize] != edge);
-                    sides[subsegment as usize][side] = simplex as u32;
-                    of_slots[3 * simplex + slot] = subsegment;
-                }
-            }
-        }
-        Ok(Self { at, of_slots, sides })
+        Ok(Self { at, walls })
     }
 
     /// Returns the first subsegment between two vertices, and whether it runs from `a` to `b`.
@@ -57,21 +43,18 @@ impl Edges {
         let found = between(subsegments, &self.at, [a, b])?;
         Some((found, subsegments[found as usize] == [a, b]))
     }
-
-    /// Returns the subsegment across which `simplex` has its neighbour at `slot`, or [`NONE`].
-    pub fn across(&self, simplex: usize, slot: usize) -> u32 {
-        self.of_slots[3 * simplex + slot]
-    }
 }
 
-/// Returns the edge opposite the vertex at `slot`, in the direction of the triangle.
-fn edge(view: View<'_, 2>, simplex: usize, slot: usize) -> [u32; 2] {
-    let vertices = view.simplex(simplex);
-    [vertices[(slot + 1) % 3], vertices[(slot + 2) % 3]]
+/// Returns for each vertex the subsegments that end there.
+pub(super) fn at_vertices<const D: usize>(view: View<'_, D>) -> AllocResult<Lists> {
+    Lists::of_pairs(view.vertex_count(), || {
+        let ends = view.mesh.boundary.subsegments.as_flattened().iter().enumerate();
+        ends.map(|(slot, &vertex)| (vertex, (slot / 2) as u32))
+    })
 }
 
 /// Returns the first subsegment between two vertices.
-fn between(subsegments: &[[u32; 2]], at: &Lists, [a, b]: [u32; 2]) -> Option<u32> {
+pub(super) fn between(subsegments: &[[u32; 2]], at: &Lists, [a, b]: [u32; 2]) -> Option<u32> {
     let [of_a, of_b] = [a, b].map(|vertex| at.of(vertex as usize));
     let shorter = if of_a.len() < of_b.len() { of_a } else { of_b };
     let joins = |&&subsegment: &&u32| {
@@ -83,7 +66,7 @@ fn between(subsegments: &[[u32; 2]], at: &Lists, [a, b]: [u32; 2]) -> Option<u32
 
 pub(super) fn check(view: View<'_, 2>, edges: &Edges, findings: &mut Findings) -> AllocResult<()> {
     let least_room = least_room(view);
-    for (at, sides) in edges.sides.iter().enumerate() {
+    for (at, sides) in edges.walls.sides.iter().enumerate() {
         let [a, b] = view.mesh.boundary.subsegments[at];
         let is_edge = findings.check(*sides != [NONE; 2], || {
             let message = message!(

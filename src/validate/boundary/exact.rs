@@ -27,11 +27,43 @@ fn circle<N: Number>(values: &[N]) -> Result<Ordering, Refusal> {
     Ok(x.plus(&y)?.sign())
 }
 
-/// Returns true if the line through `a` and `b` meets the rectangle of these widths with its middle
-/// at `p`.
-pub(super) fn meets(a: &Point, b: &Point, p: &Point, widths: Point) -> AllocResult<bool> {
-    let values = [a[0], a[1], b[0], b[1], p[0], p[1], widths[0], widths[1]];
-    Ok(in_integers(&values, rectangle::<i128>, rectangle::<Integer>)? != Ordering::Greater)
+/// Returns true if the line through `a` and `b` meets the box of these widths with its middle at
+/// `p`: it does so if it does in each projection along an axis, since all edges of the box and of
+/// its shadow along the line are along axes.
+pub(super) fn meets<const D: usize>(
+    a: &[f64; D],
+    b: &[f64; D],
+    p: &[f64; D],
+    widths: [f64; D],
+) -> AllocResult<bool> {
+    for i in 0..D {
+        for j in i + 1..D {
+            let values = [a[i], a[j], b[i], b[j], p[i], p[j], widths[i], widths[j]];
+            match in_doubles(values) {
+                Some(true) => continue,
+                Some(false) => return Ok(false),
+                None => {}
+            }
+            if in_integers(&values, rectangle::<i128>, rectangle::<Integer>)? == Ordering::Greater {
+                return Ok(false);
+            }
+        }
+    }
+    Ok(true)
+}
+
+/// Returns true if the line surely meets the rectangle, false if it surely does not, and `None` if
+/// doubles do not tell.
+fn in_doubles([ax, ay, bx, by, px, py, wx, wy]: [f64; 8]) -> Option<bool> {
+    let (dx, dy, x, y) = (bx - ax, by - ay, px - ax, py - ay);
+    let twice = 2.0 * (dx * y - dy * x).abs();
+    let reach = dx.abs() * wy + dy.abs() * wx;
+    // No term has a relative error of more than 4 roundings, but for what underflows.
+    let error = 8.0 * f64::EPSILON * (2.0 * (dx * y).abs() + 2.0 * (dy * x).abs() + reach) + 1e-300;
+    if !error.is_finite() || (twice - reach).abs() <= error {
+        return None;
+    }
+    Some(twice < reach)
 }
 
 /// Returns the sign of 2 |(b - a) x (p - a)| - |b - a|_x w_y - |b - a|_y w_x: the line's distances

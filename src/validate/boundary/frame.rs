@@ -23,7 +23,7 @@ pub(super) fn check(
         Extent::Hull => hull(inputs)?,
         Extent::Box => collected(corners_of_box(inputs, view))?,
     };
-    let mut chains = Chains::new(inputs.distinct(), view, edges)?;
+    let mut chains = Chains::new(view, &edges.at)?;
     let mut pieces: Vec<[u32; 2]> = Vec::new();
     let sides = corners.iter().zip(corners.iter().cycle().skip(1));
     let sides = collected(sides.map(|(&from, &to)| Way { segment: NONE, ends: [from, to] }))?;
@@ -52,7 +52,7 @@ pub(super) fn check(
 /// as they do: beside segments of the caller's there may be two ways within roundings.
 fn check_pieces(
     view: View<'_, 2>,
-    chains: &Chains<'_>,
+    chains: &Chains<'_, 2>,
     sides: &[Way],
     pieces: &[[u32; 2]],
     findings: &mut Findings,

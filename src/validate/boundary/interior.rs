@@ -6,6 +6,7 @@
 use super::chains::{Chains, Way};
 use super::edges::Edges;
 use super::regions::Components;
+use super::walls::{self, Walls};
 use crate::error::message;
 use crate::memory::{AllocResult, Lists, TryGrow, filled};
 use crate::mesh::{Inputs, NONE, Segments};
@@ -13,38 +14,39 @@ use crate::options::Interior;
 use crate::quality::view::View;
 use crate::validate::report::{Findings, Violation, ViolationKind};
 
-/// Fills in the winding numbers of `components`, if curves tell what is inside.
-pub(super) fn judge(
-    inputs: &Inputs,
-    segments: &Segments,
-    view: View<'_, 2>,
-    edges: &Edges,
+/// Returns true if closed curves or surfaces tell what is inside.
+pub(super) fn is_asked<const D: usize>(view: View<'_, D>) -> bool {
+    !matches!(view.mesh.parameters.interior, Interior::Auto | Interior::Seeds)
+}
+
+/// Fills in the winding numbers of `components`. `steps`: wall -> by how much the winding number on
+/// its first side exceeds that on its second.
+pub(super) fn judge<const D: usize>(
+    view: View<'_, D>,
+    walls: &Walls,
+    mut steps: Vec<i64>,
     components: &mut Components,
     findings: &mut Findings,
 ) -> AllocResult<()> {
     let interior = view.mesh.parameters.interior;
-    if matches!(interior, Interior::Auto | Interior::Seeds) {
-        return Ok(());
-    }
-    let mut steps = steps(inputs, segments, view, edges)?;
     if interior == Interior::Parity {
         steps.iter_mut().for_each(|step| *step = step.rem_euclid(2));
     }
-    spread(edges, &steps, interior, components)?;
-    check_steps(view, edges, &steps, interior, components, findings);
+    spread(walls, &steps, interior, components)?;
+    check_steps(view, walls, &steps, interior, components, findings);
     Ok(())
 }
 
 /// Returns for each subsegment by how much the winding number on its left exceeds that on its
 /// right.
-fn steps(
+pub(super) fn steps(
     inputs: &Inputs,
     segments: &Segments,
     view: View<'_, 2>,
     edges: &Edges,
 ) -> AllocResult<Vec<i64>> {
-    let mut steps = filled(edges.sides.len(), 0i64)?;
-    let mut chains = Chains::new(inputs.distinct(), view, edges)?;
+    let mut steps = filled(edges.walls.sides.len(), 0i64)?;
+    let mut chains = Chains::new(view, &edges.at)?;
     for segment in (0..segments.count()).filter(|&segment| segments.encloses(segment)) {
         if chains.follow(Way::of(inputs, segments, segment))?.is_err() {
             continue;
@@ -64,7 +66,7 @@ fn reduced(number: i64, interior: Interior) -> i64 {
 
 /// Gives all components their numbers, from those that reach to the hull on.
 fn spread(
-    edges: &Edges,
+    walls: &Walls,
     steps: &[i64],
     interior: Interior,
     components: &mut Components,
@@ -72,8 +74,8 @@ fn spread(
     let component_of =
         |triangle: u32| components.of.get(triangle as usize).copied().unwrap_or(NONE);
     let beside = Lists::of_pairs(components.all.len(), || {
-        let sides = edges.sides.iter().zip(0u32..);
-        sides.flat_map(|(sides, subsegment)| sides.map(|side| (component_of(side), subsegment)))
+        let sides = walls.sides.iter().zip(0u32..);
+        sides.flat_map(|(sides, wall)| sides.map(|side| (component_of(side), wall)))
     })?;
     let mut waiting = Vec::new();
     for (component, number) in components.all.iter_mut().zip(0u32..) {
@@ -84,9 +86,9 @@ fn spread(
     }
     while let Some(component) = waiting.pop() {
         let own = components.all[component as usize].winding.unwrap_or(0);
-        for &subsegment in beside.of(component as usize) {
-            let [left, right] = edges.sides[subsegment as usize].map(component_of);
-            let step = steps[subsegment as usize];
+        for &wall in beside.of(component as usize) {
+            let [left, right] = walls.sides[wall as usize].map(component_of);
+            let step = steps[wall as usize];
             let (beyond, number) =
                 if left == component { (right, own - step) } else { (left, own + step) };
             let Some(other) = components.all.get_mut(beyond as usize) else { continue };
@@ -99,10 +101,10 @@ fn spread(
     Ok(())
 }
 
-/// Checks that the numbers on both sides of each subsegment differ by its step: curves close.
-fn check_steps(
-    view: View<'_, 2>,
-    edges: &Edges,
+/// Checks that the numbers on both sides of each wall differ by its step: curves or surfaces close.
+fn check_steps<const D: usize>(
+    view: View<'_, D>,
+    walls: &Walls,
     steps: &[i64],
     interior: Interior,
     components: &Components,
@@ -115,16 +117,19 @@ fn check_steps(
             .map(|&component| &components.all[component as usize]);
         component.map_or(0, |component| component.winding.unwrap_or(0))
     };
-    for (at, (&sides, &step)) in edges.sides.iter().zip(steps).enumerate() {
+    for (at, (&sides, &step)) in walls.sides.iter().zip(steps).enumerate() {
         let [left, right] = sides.map(number);
         findings.check(left == reduced(right + step, interior), || {
-            let [a, b] = view.mesh.boundary.subsegments[at];
+            let vertex = walls::vertices::<D>(view.mesh, at)[0];
+            let (noun, curves) = match D {
+                2 => (walls::noun::<D>(), "curves"),
+                _ => (walls::noun::<D>(), "surfaces"),
+            };
             let message = message!(
-                "subsegment {at} from vertex {a} to {b} has the winding numbers {left} and \
-                 {right} on its sides, and segments run along it {step} times: the curves do \
-                 not close"
+                "{noun} {at} at vertex {vertex} has the winding numbers {left} and {right} on its \
+                 sides, and {step} {curves} run along it: they do not close"
             );
-            Violation::new(ViolationKind::DomainPlace, message).vertex(a as usize)
+            Violation::new(ViolationKind::DomainPlace, message).vertex(vertex as usize)
         });
     }
 }

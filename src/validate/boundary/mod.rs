@@ -1,4 +1,6 @@
-//! The rules of boundaries in the plane: segments, regions, and the domain that is cropped.
+//! The rules of boundaries: segments, facets, regions, and the domain that is cropped. Those of the
+//! plane are here, and what space has in common with them; those of facets in space are in
+//! [`space`].
 //!
 //! - Level 1, `arrays`: they fit each other and the mesh.
 //! - Level 2: `edges`, every subsegment is a Gabriel edge; `lines`, vertices on segments are as
@@ -8,8 +10,8 @@
 //!   them closed curves enclose; `areas`, of the regions; `forced`, the triangles that small angles
 //!   between segments excuse.
 //!
-//! `exact` and `sum` are the arithmetic. What an edge is on both sides of is found here from the
-//! triangles alone.
+//! `exact` and `sum` are the arithmetic. Which simplices are on the sides of a subsegment or subfacet
+//! is found here from the simplices alone (`walls`).
 
 mod areas;
 mod arrays;
@@ -21,22 +23,26 @@ mod frame;
 mod interior;
 mod lines;
 mod regions;
+mod space;
 mod sum;
 #[cfg(test)]
 mod tests;
+mod walls;
 
 use super::report::Findings;
 use crate::memory::AllocResult;
-use crate::mesh::{Inputs, Region, Segments, Triangulation};
+use crate::mesh::{Boundary, Facets, Inputs, Region, Segments, Triangulation};
 use crate::options::Extent;
 use crate::quality::view::View;
 use edges::Edges;
 use lines::Lines;
 
-/// Segments and regions that the caller of a run gave beside the points.
+/// Segments, facets and regions that the caller of a run gave beside the points.
 #[derive(Clone, Copy, Debug)]
 pub struct Outline<'a> {
     pub segments: &'a Segments,
+    /// Facets in space; none in the plane.
+    pub facets: &'a Facets,
     pub regions: &'a [Region],
 }
 
@@ -48,12 +54,14 @@ pub(super) struct Promised<'a> {
     /// Others are cropped.
     is_cropped: bool,
     forced: &'a [u32],
+    flat: &'a [u32],
 }
 
 impl<'a> Promised<'a> {
     pub fn of(result: &'a Triangulation) -> Self {
         let (count, boundary) = (result.simplex_count(), &result.boundary);
-        Self { count, is_cropped: boundary.whole.is_some(), forced: &boundary.forced }
+        let Boundary { whole, forced, flat, .. } = boundary;
+        Self { count, is_cropped: whole.is_some(), forced, flat }
     }
 
     pub fn count(self) -> usize {
@@ -61,7 +69,14 @@ impl<'a> Promised<'a> {
     }
 
     pub fn includes(self, simplex: usize) -> bool {
-        simplex < self.count && self.forced.binary_search(&(simplex as u32)).is_err()
+        simplex < self.count
+            && self.forced.binary_search(&(simplex as u32)).is_err()
+            && !self.is_flat(simplex)
+    }
+
+    /// Returns true if all vertices of a simplex are on one facet, so that roundings make it.
+    pub fn is_flat(self, simplex: usize) -> bool {
+        self.flat.binary_search(&(simplex as u32)).is_ok()
     }
 }
 
@@ -74,10 +89,16 @@ pub(super) fn check_arrays<const D: usize>(
 ) -> AllocResult<()> {
     arrays::check(outline, result, whole.mesh, findings);
     // Ids are in range only if nothing is wrong.
-    if D == 2 && result.boundary.whole.is_some() && findings.clean() {
-        arrays::check_kept(result, View { mesh: whole.mesh }, findings)?;
+    if !findings.clean() {
+        return Ok(());
     }
-    Ok(())
+    match D {
+        2 if result.boundary.whole.is_some() => {
+            arrays::check_kept(result, View { mesh: whole.mesh }, findings)
+        }
+        3 => space::check_arrays(result, View { mesh: whole.mesh }, findings),
+        _ => Ok(()),
+    }
 }
 
 /// Checks level 2 of a mesh for which level 1 holds.
@@ -87,6 +108,9 @@ pub(super) fn check_geometry<const D: usize>(
     whole: View<'_, D>,
     findings: &mut Findings,
 ) -> AllocResult<()> {
+    if D == 3 {
+        return space::check_geometry(inputs, outline, View { mesh: whole.mesh }, findings);
+    }
     let Some(view) = in_the_plane(outline, whole) else { return Ok(()) };
     let edges = Edges::new(view)?;
     edges::check(view, &edges, findings)?;
@@ -105,11 +129,26 @@ pub(super) fn check_regions<const D: usize>(
     promised: Promised<'_>,
     findings: &mut Findings,
 ) -> AllocResult<()> {
+    if D == 3 {
+        return space::check_regions(
+            inputs,
+            outline,
+            View { mesh: whole.mesh },
+            promised,
+            findings,
+        );
+    }
     let Some(view) = in_the_plane(outline, whole) else { return Ok(()) };
     let edges = Edges::new(view)?;
     if !view.mesh.boundary.subsegments.is_empty() {
-        regions::check(inputs, outline, view, &edges, promised, findings)?;
-        areas::check(view, &edges, promised.count, findings)?;
+        let steps = match outline {
+            Some(Outline { segments, .. }) if interior::is_asked(view) => {
+                Some(interior::steps(inputs, segments, view, &edges)?)
+            }
+            _ => None,
+        };
+        regions::check(outline, view, &edges.walls, steps, promised, findings)?;
+        areas::check(view, &edges.walls, promised.count, findings)?;
     }
     let lines = Lines::new(view.mesh, inputs.distinct(), &edges)?;
     forced::check(view, &edges, &lines, inputs.distinct(), findings)
@@ -122,11 +161,16 @@ pub(super) fn largest_edges<const D: usize>(
     whole: View<'_, D>,
 ) -> AllocResult<Vec<f64>> {
     let regions = outline.map_or(&[][..], |outline| outline.regions);
+    if !regions.iter().any(|region| region.max_edge > 0.0) {
+        return Ok(Vec::new());
+    }
+    if D == 3 {
+        let view = View::<3> { mesh: whole.mesh };
+        return regions::largest_edges(view, &space::walls(view)?, regions);
+    }
     match in_the_plane(outline, whole) {
-        Some(view) if regions.iter().any(|region| region.max_edge > 0.0) => {
-            regions::largest_edges(view, &Edges::new(view)?, regions)
-        }
-        _ => Ok(Vec::new()),
+        Some(view) => regions::largest_edges(view, &Edges::new(view)?.walls, regions),
+        None => Ok(Vec::new()),
     }
 }
 

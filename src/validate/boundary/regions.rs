@@ -1,33 +1,33 @@
-//! Level 3: regions are what subsegments separate, the seeds of the caller say what is a hole and
+//! Level 3: regions are what walls separate, the seeds of the caller say what is a hole and
 //! which labels there are, and the domain is what is neither outside nor a hole.
 
-use super::edges::Edges;
+use super::walls::{self, Walls};
 use super::{Outline, Promised, interior};
 use crate::error::message;
 use crate::memory::{AllocResult, TryGrow, collected, filled};
-use crate::mesh::{Inputs, NONE, Region};
+use crate::mesh::{NONE, Region};
 use crate::options::Extent;
 use crate::quality::view::View;
 use crate::validate::report::{Findings, Violation, ViolationKind};
 use crate::validate::signs::{Robust, Signs};
 use std::cmp::Ordering;
 
-/// The sets of triangles that are connected without crossing a subsegment.
+/// The sets of simplices that are connected without crossing a wall.
 pub(super) struct Components {
-    /// Triangle -> its component.
+    /// Simplex -> its component.
     pub of: Vec<u32>,
     pub all: Vec<Component>,
 }
 
 pub(super) struct Component {
-    /// First triangle of the region.
+    /// First simplex of the region.
     first: usize,
     /// True if the region reaches to the hull.
     pub is_outside: bool,
     /// The extent reaches to the hull, too.
     is_of_all: bool,
     /// Winding number, or its remainder by 2, that tells whether the component is inside: where
-    /// curves are closed.
+    /// curves or surfaces are closed.
     pub winding: Option<i64>,
     /// The seed in it.
     seed: Option<usize>,
@@ -36,18 +36,22 @@ pub(super) struct Component {
     max_edge: f64,
 }
 
-pub(super) fn check(
-    inputs: &Inputs,
+/// Checks the regions between `walls`. `steps` is for [`interior::judge`], if closed curves or
+/// surfaces tell what is inside and the outline is known.
+pub(super) fn check<const D: usize>(
     outline: Option<Outline<'_>>,
-    view: View<'_, 2>,
-    edges: &Edges,
+    view: View<'_, D>,
+    walls: &Walls,
+    steps: Option<Vec<i64>>,
     promised: Promised<'_>,
     findings: &mut Findings,
 ) -> AllocResult<()> {
-    check_neighbors(view, edges, promised.count, findings);
-    let mut components = Components::find(view, edges)?;
+    check_neighbors(view, walls, promised.count, findings);
+    let mut components = Components::find(view, walls)?;
+    if let Some(steps) = steps {
+        interior::judge(view, walls, steps, &mut components, findings)?;
+    }
     if let Some(outline) = outline {
-        interior::judge(inputs, outline.segments, view, edges, &mut components, findings)?;
         components.add_seeds(view, outline.regions, findings)?;
     }
     for component in &components.all {
@@ -62,29 +66,35 @@ pub(super) fn check(
 }
 
 /// Returns for each simplex the largest edge that its region may have.
-pub(super) fn largest_edges(
-    view: View<'_, 2>,
-    edges: &Edges,
+pub(super) fn largest_edges<const D: usize>(
+    view: View<'_, D>,
+    walls: &Walls,
     regions: &[Region],
 ) -> AllocResult<Vec<f64>> {
-    let mut components = Components::find(view, edges)?;
+    let mut components = Components::find(view, walls)?;
     components.add_seeds(view, regions, &mut Findings::default())?;
     collected(components.of.iter().map(|&component| components.all[component as usize].max_edge))
 }
 
-/// Checks that neighbours without a subsegment between them have one label, and that both or
-/// neither of them are in the domain.
-fn check_neighbors(view: View<'_, 2>, edges: &Edges, count: usize, findings: &mut Findings) {
+/// Checks that neighbours without a wall between them have one label, and that both or neither of
+/// them are in the domain.
+fn check_neighbors<const D: usize>(
+    view: View<'_, D>,
+    walls: &Walls,
+    count: usize,
+    findings: &mut Findings,
+) {
+    let noun = walls::noun::<D>();
     let labels = &view.mesh.boundary.simplex_regions;
     for simplex in 0..view.simplex_count() {
         for (slot, &neighbor) in view.neighbors(simplex).iter().enumerate() {
             let beyond = neighbor as usize;
-            if neighbor == NONE || beyond < simplex || edges.across(simplex, slot) != NONE {
+            if neighbor == NONE || beyond < simplex || walls.across(simplex, slot) != NONE {
                 continue;
             }
             findings.check(labels[simplex] == labels[beyond], || {
                 let message = message!(
-                    "neighbours {simplex} and {beyond} have the labels {} and {} and no subsegment \
+                    "neighbours {simplex} and {beyond} have the labels {} and {} and no {noun} \
                      between them",
                     labels[simplex],
                     labels[beyond]
@@ -94,7 +104,7 @@ fn check_neighbors(view: View<'_, 2>, edges: &Edges, count: usize, findings: &mu
             findings.check((simplex < count) == (beyond < count), || {
                 let message = message!(
                     "the domain ends between neighbours {simplex} and {beyond}, where no \
-                     subsegment is"
+                     {noun} is"
                 );
                 Violation::new(ViolationKind::DomainEnd, message).simplex(simplex)
             });
@@ -107,7 +117,9 @@ fn check_place(component: &Component, is_inside: bool, knows_holes: bool, findin
     findings.check(!is_inside || component.is_enclosed(), || {
         let message = match component.winding {
             None => message!("simplex {first} of the domain can be reached from outside"),
-            Some(_) => message!("simplex {first} of the domain is in no curve, as curves count"),
+            Some(_) => {
+                message!("simplex {first} of the domain is in no curve or surface, as these count")
+            }
         };
         Violation::new(ViolationKind::DomainPlace, message).simplex(first)
     });
@@ -124,7 +136,7 @@ fn check_place(component: &Component, is_inside: bool, knows_holes: bool, findin
     });
 }
 
-fn check_label(view: View<'_, 2>, component: &Component, findings: &mut Findings) {
+fn check_label<const D: usize>(view: View<'_, D>, component: &Component, findings: &mut Findings) {
     let (first, expected) = (component.first, component.label);
     let label = view.mesh.boundary.simplex_regions[first];
     findings.check(label == expected, || {
@@ -155,7 +167,7 @@ impl Component {
 }
 
 impl Components {
-    fn find(view: View<'_, 2>, edges: &Edges) -> AllocResult<Self> {
+    fn find<const D: usize>(view: View<'_, D>, walls: &Walls) -> AllocResult<Self> {
         let mut found = Self { of: filled(view.simplex_count(), NONE)?, all: Vec::new() };
         let mut waiting = Vec::new();
         for first in 0..view.simplex_count() {
@@ -168,7 +180,7 @@ impl Components {
             waiting.try_push(first)?;
             while let Some(simplex) = waiting.pop() {
                 for (slot, &neighbor) in view.neighbors(simplex).iter().enumerate() {
-                    if edges.across(simplex, slot) != NONE {
+                    if walls.across(simplex, slot) != NONE {
                         continue;
                     }
                     if neighbor == NONE {
@@ -186,9 +198,9 @@ impl Components {
 
     /// Notes what seeds say of their components. Each seed is in a component of the domain, or
     /// makes a hole where the rule for closed curves has one, and no component has two.
-    fn add_seeds(
+    fn add_seeds<const D: usize>(
         &mut self,
-        view: View<'_, 2>,
+        view: View<'_, D>,
         regions: &[Region],
         findings: &mut Findings,
     ) -> AllocResult<()> {
@@ -225,23 +237,23 @@ impl Components {
     }
 }
 
-/// Returns a triangle that holds `x`, by a walk that goes wherever `x` is beyond an edge; `None`
+/// Returns a simplex that holds `x`, by a walk that goes wherever `x` is beyond a facet; `None`
 /// outside of the hull. In a Delaunay triangulation the walk ends (H. Edelsbrunner, "An acyclicity
 /// theorem for cell complexes in d dimensions", 1990); in another it is given up.
-fn locate(
-    view: View<'_, 2>,
+fn locate<const D: usize>(
+    view: View<'_, D>,
     near: usize,
-    x: &[f64; 2],
+    x: &[f64; D],
     signs: &mut Signs<Robust>,
 ) -> AllocResult<Option<usize>> {
     let mut simplex = near;
     for _ in 0..view.simplex_count() {
         let vertices = view.simplex(simplex);
         let mut beyond = None;
-        for slot in 0..3 {
-            let mut points = [0, 1, 2].map(|at| view.point(vertices[at]));
+        for slot in 0..View::<D>::VERTICES {
+            let mut points = view.points_of(vertices);
             points[slot] = x;
-            if signs.orientation(&points)? == Ordering::Less {
+            if signs.orientation(&points[..View::<D>::VERTICES])? == Ordering::Less {
                 beyond = Some(view.neighbors(simplex)[slot]);
                 break;
             }

@@ -3,7 +3,7 @@
 use super::edges::Edges;
 use super::lines::{self, Lines};
 use super::{Promised, areas, forced, regions};
-use crate::mesh::{Inputs, Mesh, Triangulation};
+use crate::mesh::{Mesh, Triangulation};
 use crate::options::{Algorithm, Extent, Options, Output};
 use crate::quality::view::View;
 use crate::validate::report::{Findings, ViolationKind};
@@ -37,7 +37,7 @@ fn findings(
 fn areas_are_those_of_polygons() {
     let check = |result: &Triangulation| {
         findings(result, |view, edges, promised, found| {
-            areas::check(view, edges, promised.count, found).unwrap();
+            areas::check(view, &edges.walls, promised.count, found).unwrap();
         })
     };
     let result = squares();
@@ -55,10 +55,9 @@ fn areas_are_those_of_polygons() {
 
 #[test]
 fn regions_need_no_seeds() {
-    let inputs = Inputs::new(2, 2, &[0.0, 0.0, 1.0, 0.0], 0).unwrap();
     let check = |result: &Triangulation| {
         findings(result, |view, edges, promised, found| {
-            regions::check(&inputs, None, view, edges, promised, found).unwrap();
+            regions::check(None, view, &edges.walls, None, promised, found).unwrap();
         })
     };
     let mut result = squares();

@@ -1,0 +1,50 @@
+//! Level 3: the simplices that are flat in a facet are those with all vertices on one.
+
+use crate::error::message;
+use crate::memory::{AllocResult, Lists, TryGrow, collected};
+use crate::mesh::NONE;
+use crate::quality::view::View;
+use crate::validate::report::{Findings, Violation, ViolationKind};
+
+/// Returns for each vertex the facets that it is on, ascending, by the numbers of their parents.
+pub(super) fn facets_at(view: View<'_, 3>) -> AllocResult<Lists> {
+    let boundary = &view.mesh.boundary;
+    let subfacets = boundary.subfacets.iter().zip(&boundary.subfacet_parents);
+    let of_facets = subfacets.filter(|&(_, &parent)| parent != NONE);
+    let pairs = |(vertices, &parent): (&[u32; 3], &u32)| vertices.map(|vertex| (vertex, parent));
+    let mut pairs = collected(of_facets.flat_map(pairs))?;
+    pairs.sort_unstable();
+    pairs.dedup();
+    Lists::of_pairs(view.vertex_count(), || pairs.iter().copied())
+}
+
+pub(super) fn check(view: View<'_, 3>, findings: &mut Findings) -> AllocResult<()> {
+    let facets_at = facets_at(view)?;
+    let mut expected: Vec<u32> = Vec::new();
+    for simplex in 0..view.simplex_count() {
+        let vertices = view.simplex(simplex);
+        let [first, others @ ..] = vertices else { continue };
+        let has = |facet: &u32| {
+            let of = |vertex: &u32| facets_at.of(*vertex as usize);
+            others.iter().all(|vertex| of(vertex).binary_search(facet).is_ok())
+        };
+        if facets_at.of(*first as usize).iter().any(has) {
+            expected.try_push(simplex as u32)?;
+        }
+    }
+    let flat = &view.mesh.boundary.flat;
+    let differs = flat.iter().zip(&expected).find(|(a, b)| a != b).map(|(&a, &b)| a.min(b));
+    let at = flat.len().min(expected.len());
+    let more = flat[at..].first().or(expected[at..].first()).copied();
+    let wrong = differs.or(more);
+    findings.check(wrong.is_none(), || {
+        let simplex = wrong.unwrap_or(NONE);
+        let word = if expected.binary_search(&simplex).is_ok() { "no" } else { "a" };
+        let message = message!(
+            "simplex {simplex} is given as {word} flat one, by whether all its vertices are on a \
+             facet it is not so"
+        );
+        Violation::new(ViolationKind::FlatSimplex, message).simplex(simplex as usize)
+    });
+    Ok(())
+}

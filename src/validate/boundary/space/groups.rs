@@ -1,0 +1,203 @@
+//! Level 2: which triangles of the caller's are one facet. Two that share an edge are joined unless
+//! subsegments lead along it; and where subsegments do, if the subfacets beside them are of one
+//! facet. Triangles that are joined run through their edge in opposite directions, have one marker
+//! and lie in one plane up to what the caller allowed or rounding. The facet has the number of the
+//! first of its triangles.
+
+use super::super::sum::Sum;
+use super::given::{Facet, Projection, point};
+use super::plane::AreaVector;
+use super::tiling;
+use super::ways::Ways;
+use crate::error::message;
+use crate::memory::{AllocResult, TryGrow, collected, with_capacity};
+use crate::mesh::{Facets, Inputs, NONE};
+use crate::quality::length::Length;
+use crate::validate::hull::Sets;
+use crate::validate::report::{Findings, Violation, ViolationKind};
+
+/// Largest distance of the opposite vertex from a triangle's plane, relative to its distance from
+/// the triangle's vertices, which counts as rounding: twice what the builder allows.
+const ROUNDED: f64 = 2e-12;
+
+/// Edge of a triangle: its ends, the lower first, the triangle, and true if that runs from there.
+type Side = ([u32; 2], u32, bool);
+
+/// Checks the facets that the triangles of a surface make.
+pub(super) fn check(
+    facets: &Facets,
+    ways: &mut Ways<'_>,
+    findings: &mut Findings,
+) -> AllocResult<()> {
+    let Some(triangles) = triangles(ways.inputs, facets)? else {
+        findings.check(false, || describe("triangles have inputs that are no vertices"));
+        return Ok(());
+    };
+    let mut sets = Sets::new(triangles.len())?;
+    let sides = sides(&triangles)?;
+    for same in sides.chunk_by(|a, b| a.0 == b.0) {
+        if let [one, other] = same {
+            if is_joined(same[0].0, ways)? {
+                sets.join(one.1 as usize, other.1 as usize);
+                check_pair(facets, &triangles, [*one, *other], ways, findings);
+            }
+        }
+    }
+    let mut members = with_capacity(triangles.len())?;
+    for triangle in 0..triangles.len() {
+        members.push((sets.find(triangle) as u32, triangle as u32));
+    }
+    members.sort_unstable();
+    for group in members.chunk_by(|a, b| a.0 == b.0) {
+        match facet(ways.inputs, &triangles, group)? {
+            Some(facet) => tiling::check(&facet, ways, findings)?,
+            None => drop(findings.check(false, || describe("a facet's triangles have no area"))),
+        }
+    }
+    check_parents(ways, &mut sets, findings);
+    Ok(())
+}
+
+fn describe(message: &'static str) -> Violation {
+    Violation::new(ViolationKind::FacetGroup, message)
+}
+
+/// Returns the vertices of the caller's triangles; `None` if some have none.
+fn triangles(inputs: &Inputs, facets: &Facets) -> AllocResult<Option<Vec<[u32; 3]>>> {
+    let vertex = |input: u32| inputs.vertices().get(input as usize).copied().unwrap_or(NONE);
+    let mut triangles = with_capacity(facets.count())?;
+    for corners in facets.inputs.chunks_exact(3) {
+        let triangle = [0, 1, 2].map(|at: usize| vertex(corners[at]));
+        if triangle.iter().any(|&vertex| vertex as usize >= inputs.distinct()) {
+            return Ok(None);
+        }
+        triangles.push(triangle);
+    }
+    Ok((triangles.len() == facets.count()).then_some(triangles))
+}
+
+fn sides(triangles: &[[u32; 3]]) -> AllocResult<Vec<Side>> {
+    let of_triangle = |(triangle, &[a, b, c]): (u32, &[u32; 3])| {
+        [[a, b], [b, c], [c, a]].map(|[a, b]| ([a.min(b), a.max(b)], triangle, a < b))
+    };
+    let mut sides = collected((0..).zip(triangles).flat_map(of_triangle))?;
+    sides.sort_unstable();
+    Ok(sides)
+}
+
+/// Returns true if two triangles that share an edge are one facet in the mesh.
+fn is_joined(ends: [u32; 2], ways: &mut Ways<'_>) -> AllocResult<bool> {
+    if !ways.find(ends)? {
+        return Ok(true);
+    }
+    let [a, b] = [ways.path()[0], ways.path()[1]];
+    let parents = &ways.view.mesh.boundary.subfacet_parents;
+    let mut beside = ways.faces.beside(ways.view, [a, b]).map(|at| parents[at as usize]);
+    let pair = [beside.next(), beside.next(), beside.next()];
+    Ok(matches!(pair, [Some(one), Some(other), None] if one == other && one != NONE))
+}
+
+/// Checks that two triangles may be one facet.
+fn check_pair(
+    facets: &Facets,
+    triangles: &[[u32; 3]],
+    [one, other]: [Side; 2],
+    ways: &Ways<'_>,
+    findings: &mut Findings,
+) {
+    let marker = |side: Side| facets.markers[side.1 as usize];
+    let is_one = one.2 != other.2 && marker(one) == marker(other);
+    let [[first, first_apex], [second, second_apex]] = [one, other].map(|(ends, triangle, _)| {
+        let vertices = triangles[triangle as usize];
+        let apex = vertices.into_iter().find(|vertex| !ends.contains(vertex));
+        [vertices, [apex.unwrap_or(vertices[0]); 3]]
+    });
+    let allowed = allowed_sine(ways);
+    let is_flat = |triangle, apex: [u32; 3]| offset(ways.inputs, triangle, apex[0]) <= allowed;
+    let is_fold = is_fold(ways.inputs, first, second);
+    let fits = is_flat(first, second_apex) || is_flat(second, first_apex);
+    findings.check(is_one && fits && !is_fold, || {
+        let (a, b) = (one.1, other.1);
+        let message = message!(
+            "triangles {a} and {b} are one facet, and have no one marker, direction and plane"
+        );
+        Violation::new(ViolationKind::FacetGroup, message).vertex(one.0[0] as usize)
+    });
+}
+
+/// Returns the largest sine of the angle from flat between triangles that are one facet.
+fn allowed_sine(_: &Ways<'_>) -> f64 {
+    ROUNDED
+}
+
+/// Returns the distance of a vertex from a triangle's plane over its largest distance from the
+/// triangle's vertices.
+fn offset(inputs: &Inputs, triangle: [u32; 3], vertex: u32) -> f64 {
+    let [a, b, c] = triangle.map(|corner| point(inputs, corner));
+    let d = point(inputs, vertex);
+    let mut volume = Sum::zero();
+    for face in [[b, c, d], [a, d, c], [a, b, d], [a, c, b]] {
+        volume.add_facet(face);
+    }
+    let mut area = AreaVector::zero();
+    area.add_triangle([a, b, c]);
+    let Some((normal, exponent)) = area.rounded() else { return f64::INFINITY };
+    let length = normal.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let (mantissa, own) = volume.rounded();
+    let height = Length::scaled(mantissa.abs() / length, own - exponent);
+    let far = [a, b, c].map(|corner| Length::between(corner, d));
+    height.ratio(far[0].max(far[1]).max(far[2]))
+}
+
+/// Returns true if the normals of two triangles do not point to one side.
+fn is_fold(inputs: &Inputs, first: [u32; 3], second: [u32; 3]) -> bool {
+    let [a, b] = [first, second].map(|triangle| {
+        let mut area = AreaVector::zero();
+        area.add_triangle(triangle.map(|corner| point(inputs, corner)));
+        area.rounded().map_or([0.0; 3], |(vector, _)| vector)
+    });
+    a.iter().zip(&b).map(|(x, y)| x * y).sum::<f64>() <= 0.0
+}
+
+/// Makes the facet of a group of triangles.
+fn facet(
+    inputs: &Inputs,
+    triangles: &[[u32; 3]],
+    group: &[(u32, u32)],
+) -> AllocResult<Option<Facet>> {
+    let own = collected(group.iter().map(|&(_, triangle)| triangles[triangle as usize]))?;
+    let mut area = AreaVector::zero();
+    for triangle in &own {
+        area.add_triangle(triangle.map(|corner| point(inputs, corner)));
+    }
+    let Some((normal, _)) = area.rounded() else { return Ok(None) };
+    let mut rim: Vec<[u32; 2]> = Vec::new();
+    for same in sides(&own)?.chunk_by(|a, b| a.0 == b.0) {
+        let forward = same.iter().filter(|side| side.2).count();
+        let backward = same.len() - forward;
+        let [a, b] = same[0].0;
+        if forward != backward {
+            rim.try_push(if forward > backward { [a, b] } else { [b, a] })?;
+        }
+    }
+    let mut corners = collected(own.iter().flatten().copied())?;
+    corners.sort_unstable();
+    corners.dedup();
+    let (parent, projection) = (group[0].0, Projection::along(&normal));
+    let (within, points) = Default::default();
+    Ok(Some(Facet { parent, rim, within, points, corners, projection, normal }))
+}
+
+/// Checks that subfacets are of facets, which have the number of their first triangle.
+fn check_parents(ways: &Ways<'_>, sets: &mut Sets, findings: &mut Findings) {
+    let boundary = &ways.view.mesh.boundary;
+    for same in boundary.subfacet_parents.chunk_by(|a, b| a == b).filter(|same| same[0] != NONE) {
+        let parent = same[0];
+        findings.check(sets.find(parent as usize) == parent as usize, || {
+            let message = message!(
+                "subfacets are of facet {parent}, which is not the first triangle of its facet"
+            );
+            Violation::new(ViolationKind::FacetGroup, message)
+        });
+    }
+}

@@ -1,0 +1,156 @@
+//! Level 2: the planes of facets. Vertices on a facet are as near to its plane as doubles let them
+//! be.
+//!
+//! The normal of a facet is the sum of the cross products along its rim, exact and then rounded to
+//! doubles. By their heights along it, which are exact, the inputs of a facet lie between two
+//! parallel planes: what is between them is the thickness that the caller gave the facet, or that
+//! merging of triangles gave it. Any other vertex on the facet is between these planes or beyond
+//! them by at most one unit in the last place of the facet's largest coordinate on each axis; half
+//! a unit is from rounding it, and the other half from how the builder comes to its place. Inputs
+//! that are near the facet without being among its own may be as far as those near a segment.
+
+use super::super::chains::BENT;
+use super::super::exact::unit_in_last_place;
+use super::super::sum::Sum;
+use super::given::Facet;
+use super::ways::Ways;
+use crate::error::message;
+use crate::quality::length::{exponent_of, scale};
+use crate::validate::report::{Findings, Violation, ViolationKind};
+use std::cmp::Ordering;
+
+/// Largest distance on each axis of a vertex from what the inputs of its facet span, in units in
+/// the last place of the facet's largest coordinate on the axis.
+const ROUNDED: f64 = 1.0;
+
+/// Exact sum of the cross products of edges: twice the area of what they enclose, as a vector.
+pub(super) struct AreaVector {
+    sums: [Sum; 3],
+}
+
+impl AreaVector {
+    pub fn zero() -> Self {
+        Self { sums: std::array::from_fn(|_| Sum::zero()) }
+    }
+
+    /// Adds the edge from `a` to `b`.
+    pub fn add_edge(&mut self, a: &[f64; 3], b: &[f64; 3]) {
+        for (axis, sum) in self.sums.iter_mut().enumerate() {
+            let [i, j] = [(axis + 1) % 3, (axis + 2) % 3];
+            sum.add_product(&[a[i], b[j]]);
+            sum.add_product(&[-a[j], b[i]]);
+        }
+    }
+
+    /// Adds the edges of a triangle.
+    pub fn add_triangle(&mut self, [a, b, c]: [&[f64; 3]; 3]) {
+        [[a, b], [b, c], [c, a]].into_iter().for_each(|[from, to]| self.add_edge(from, to));
+    }
+
+    /// Returns the exact sign of the component along an axis.
+    pub fn sign(&self, axis: usize) -> Ordering {
+        self.sums[axis].sign()
+    }
+
+    /// Returns the vector as `vector * 2^exponent` with its largest component in [1, 2), rounded to
+    /// doubles; `None` if it is zero.
+    pub fn rounded(&self) -> Option<([f64; 3], i32)> {
+        let parts = [0, 1, 2].map(|axis| self.sums[axis].rounded());
+        let magnitude = |&(mantissa, own): &(f64, i32)| exponent_of(mantissa).map(|e| e + own);
+        let largest = parts.iter().filter_map(magnitude).max()?;
+        Some((parts.map(|(mantissa, own)| scale(mantissa, own - largest)), largest))
+    }
+}
+
+/// Returns the axis of the component with the largest magnitude.
+pub(super) fn largest_axis(vector: &[f64; 3]) -> usize {
+    (0..3).rev().max_by(|&i, &j| vector[i].abs().total_cmp(&vector[j].abs())).unwrap_or(0)
+}
+
+/// Heights along a normal that is rounded, exact.
+fn add_height(sum: &mut Sum, normal: &[f64; 3], point: &[f64; 3], factor: f64) {
+    for (component, x) in normal.iter().zip(point) {
+        sum.add_product(&[factor * component, *x]);
+    }
+}
+
+/// The planes between which vertices of a facet are: the height of either, and what rounding adds.
+struct Slab {
+    low: Sum,
+    high: Sum,
+}
+
+impl Slab {
+    fn of<'a>(normal: &[f64; 3], points: impl Iterator<Item = &'a [f64; 3]> + Clone) -> Self {
+        let mut slab = None;
+        for point in points {
+            let mut height = Sum::zero();
+            add_height(&mut height, normal, point, 1.0);
+            let Self { low, high } =
+                slab.get_or_insert_with(|| Self { low: height.clone(), high: height.clone() });
+            if exceeds(low, normal, point) {
+                *low = height.clone();
+            }
+            if falls_below(high, normal, point) {
+                *high = height;
+            }
+        }
+        slab.unwrap_or_else(|| Self { low: Sum::zero(), high: Sum::zero() })
+    }
+
+    /// Makes the slab thicker by some units on each axis, on both sides.
+    fn widen(&mut self, normal: &[f64; 3], units: &[f64; 3]) {
+        for (component, unit) in normal.iter().zip(units) {
+            self.low.add_product(&[-component.abs(), *unit]);
+            self.high.add_product(&[component.abs(), *unit]);
+        }
+    }
+
+    fn holds(&self, normal: &[f64; 3], point: &[f64; 3]) -> bool {
+        !exceeds(&self.low, normal, point) && !falls_below(&self.high, normal, point)
+    }
+}
+
+/// Returns true if a height is larger than that of a point.
+fn exceeds(height: &Sum, normal: &[f64; 3], point: &[f64; 3]) -> bool {
+    let mut difference = height.clone();
+    add_height(&mut difference, normal, point, -1.0);
+    difference.sign() == Ordering::Greater
+}
+
+/// Returns true if a height is less than that of a point.
+fn falls_below(height: &Sum, normal: &[f64; 3], point: &[f64; 3]) -> bool {
+    let mut difference = height.clone();
+    add_height(&mut difference, normal, point, -1.0);
+    difference.sign() == Ordering::Less
+}
+
+/// Checks the distance of the vertices of a facet from its plane.
+pub(super) fn check(
+    facet: &Facet,
+    vertices: impl Iterator<Item = u32>,
+    ways: &Ways<'_>,
+    findings: &mut Findings,
+) {
+    let points = facet.corners.iter().map(|&corner| ways.input(corner));
+    let mut units = [0.0; 3];
+    for (axis, unit) in units.iter_mut().enumerate() {
+        let largest = points.clone().fold(0.0, |most: f64, point| most.max(point[axis].abs()));
+        *unit = unit_in_last_place(largest);
+    }
+    let normal = &facet.normal;
+    let mut slab = Slab::of(normal, points);
+    slab.widen(normal, &units.map(|unit| ROUNDED * unit));
+    let mut wide = Slab { low: slab.low.clone(), high: slab.high.clone() };
+    wide.widen(normal, &units.map(|unit| (BENT - ROUNDED) * unit));
+    for vertex in vertices {
+        let limit = if ways.is_input(vertex) { &wide } else { &slab };
+        findings.check(limit.holds(normal, ways.view.point(vertex)), || {
+            let message = message!(
+                "vertex {vertex} on facet {} is farther from its plane than rounding makes it",
+                facet.parent
+            );
+            Violation::new(ViolationKind::FacetPlane, message).vertex(vertex as usize)
+        });
+    }
+}

@@ -1,0 +1,263 @@
+//! Level 2: the subfacets of a facet tile it. In the exact projection along an axis all of them turn
+//! to the left; each edge is in two of them, which run through it in opposite directions, or on the
+//! rim of the facet; and there the facet is on the left, as its loops say. So the number of
+//! subfacets over a point, which is the winding number of the rim about it, is 1 inside and 0
+//! outside. The sum of their areas is that of the polygon, but for roundings of vertices on its
+//! edges.
+
+use super::super::chains::BENT;
+use super::super::exact::unit_in_last_place;
+use super::super::sum::Sum;
+use super::faces::Faces;
+use super::given::Facet;
+use super::plane;
+use super::ways::Ways;
+use crate::error::message;
+use crate::memory::{AllocResult, TryGrow, collected};
+use crate::mesh::NONE;
+use crate::quality::view::View;
+use crate::validate::report::{Findings, Violation, ViolationKind};
+use crate::validate::signs::{Robust, Signs};
+use std::cmp::Ordering;
+use std::ops::Range;
+
+/// Edge by its ends, the lower first, and true if it runs from there.
+type Directed = ([u32; 2], bool);
+
+fn directed([a, b]: [u32; 2]) -> Directed {
+    ([a.min(b), a.max(b)], a < b)
+}
+
+/// Returns the subfacets of a facet.
+pub(super) fn range(view: View<'_, 3>, parent: u32) -> Range<usize> {
+    let parents = &view.mesh.boundary.subfacet_parents;
+    parents.partition_point(|&other| other < parent)
+        ..parents.partition_point(|&other| other <= parent)
+}
+
+/// Checks the subfacets of a facet: that they tile it, and that they are near its plane.
+pub(super) fn check(
+    facet: &Facet,
+    ways: &mut Ways<'_>,
+    findings: &mut Findings,
+) -> AllocResult<()> {
+    let view = ways.view;
+    let subfacets = &view.mesh.boundary.subfacets[range(view, facet.parent)];
+    check_orientations(facet, view, subfacets, findings)?;
+    check_area(facet, ways, subfacets, findings);
+    let edges = sorted_edges(subfacets)?;
+    let found = rim(facet.parent, &edges, findings)?;
+    if let Some(expected) = expected_rim(facet, ways, findings)? {
+        check_rim(facet.parent, &found, &expected, findings);
+    }
+    check_within(facet, ways, &edges, subfacets, findings)?;
+    let mut vertices = collected(subfacets.as_flattened().iter().copied())?;
+    vertices.sort_unstable();
+    vertices.dedup();
+    plane::check(facet, vertices.into_iter(), ways, findings);
+    Ok(())
+}
+
+/// Checks that the edges of facets of which nothing else is known are subsegments where they end.
+pub(super) fn check_rims(
+    view: View<'_, 3>,
+    faces: &Faces,
+    findings: &mut Findings,
+) -> AllocResult<()> {
+    let boundary = &view.mesh.boundary;
+    let pairs = boundary.subfacet_parents.chunk_by(|a, b| a == b);
+    let mut start = 0;
+    for same in pairs {
+        let subfacets = &boundary.subfacets[start..start + same.len()];
+        start += same.len();
+        if same[0] == NONE {
+            continue;
+        }
+        for ([a, b], _) in rim(same[0], &sorted_edges(subfacets)?, findings)? {
+            findings.check(faces.subsegment(view, [a, b]).is_some(), || {
+                let message = message!(
+                    "facet {} ends at the edge from vertex {a} to {b}, which is no subsegment",
+                    same[0]
+                );
+                Violation::new(ViolationKind::FacetTiling, message).vertex(a as usize)
+            });
+        }
+    }
+    Ok(())
+}
+
+fn check_orientations(
+    facet: &Facet,
+    view: View<'_, 3>,
+    subfacets: &[[u32; 3]],
+    findings: &mut Findings,
+) -> AllocResult<()> {
+    let mut signs = Signs::<Robust>::default();
+    for vertices in subfacets {
+        let [a, b, c] = vertices.map(|vertex| facet.projection.of(view.point(vertex)));
+        let sign = signs.orientation(&[&a, &b, &c])?;
+        findings.check(sign == Ordering::Greater, || {
+            let word = if sign == Ordering::Equal { "flat" } else { "turned round" };
+            let message = message!(
+                "the subfacet {vertices:?} of facet {} is {word} in its projection",
+                facet.parent
+            );
+            Violation::new(ViolationKind::FacetTriangle, message).vertex(vertices[0] as usize)
+        });
+    }
+    Ok(())
+}
+
+/// Returns the edges of triangles, sorted.
+fn sorted_edges(triangles: &[[u32; 3]]) -> AllocResult<Vec<Directed>> {
+    let of_triangle = |&[a, b, c]: &[u32; 3]| [[a, b], [b, c], [c, a]].map(directed);
+    let mut edges = collected(triangles.iter().flat_map(of_triangle))?;
+    edges.sort_unstable();
+    Ok(edges)
+}
+
+/// Returns the edges that one triangle has, and checks that every other is in two triangles, which
+/// run through it in opposite directions.
+fn rim(facet: u32, edges: &[Directed], findings: &mut Findings) -> AllocResult<Vec<Directed>> {
+    let mut rim = Vec::new();
+    for same in edges.chunk_by(|a, b| a.0 == b.0) {
+        if let [single] = same {
+            rim.try_push(*single)?;
+            continue;
+        }
+        findings.check(same.len() == 2 && same[0].1 != same[1].1, || {
+            let ([a, b], count) = (same[0].0, same.len());
+            let message = message!(
+                "the edge from vertex {a} to {b} is in {count} subfacets of facet {facet}, which \
+                 are not one on each side"
+            );
+            Violation::new(ViolationKind::FacetTiling, message).vertex(a as usize)
+        });
+    }
+    Ok(rim)
+}
+
+/// Returns the subsegments along the rim of a facet, in its direction; `None` if some are missing.
+fn expected_rim(
+    facet: &Facet,
+    ways: &mut Ways<'_>,
+    findings: &mut Findings,
+) -> AllocResult<Option<Vec<Directed>>> {
+    let (mut pieces, mut is_whole) = (Vec::new(), true);
+    for &ends in &facet.rim {
+        if !ways.check_edge(facet.parent, ends, findings)? {
+            is_whole = false;
+            continue;
+        }
+        for pair in ways.path().windows(2) {
+            pieces.try_push(directed([pair[0], pair[1]]))?;
+        }
+    }
+    pieces.sort_unstable();
+    // Two edges that rounding leads along one chain have nothing between them.
+    let mut rim = Vec::new();
+    for same in pieces.chunk_by(|a, b| a.0 == b.0) {
+        if same.len() % 2 == 1 {
+            let forward = same.iter().filter(|piece| piece.1).count();
+            rim.try_push((same[0].0, 2 * forward > same.len()))?;
+        }
+    }
+    Ok(is_whole.then_some(rim))
+}
+
+fn check_rim(facet: u32, found: &[Directed], expected: &[Directed], findings: &mut Findings) {
+    let differs = found.iter().zip(expected).position(|(a, b)| a != b);
+    let shorter = found.len().min(expected.len());
+    findings.check(differs.is_none() && found.len() == expected.len(), || {
+        let at = differs.unwrap_or(shorter);
+        let edges = found.get(at).into_iter().chain(expected.get(at));
+        let [a, b] = edges.map(|edge| edge.0).min().unwrap_or([NONE; 2]);
+        let message = message!(
+            "the subfacets of facet {facet} do not end where it does, at the edge from vertex {a} \
+             to {b}"
+        );
+        Violation::new(ViolationKind::FacetTiling, message).vertex(a as usize)
+    });
+}
+
+/// Checks that the segments and vertices within a facet are edges and vertices of its subfacets.
+fn check_within(
+    facet: &Facet,
+    ways: &mut Ways<'_>,
+    edges: &[Directed],
+    subfacets: &[[u32; 3]],
+    findings: &mut Findings,
+) -> AllocResult<()> {
+    let number = facet.parent;
+    for &ends in &facet.within {
+        if !ways.check_edge(number, ends, findings)? {
+            continue;
+        }
+        for pair in ways.path().windows(2) {
+            let (key, _) = directed([pair[0], pair[1]]);
+            let is_there = edges.binary_search_by_key(&key, |edge| edge.0).is_ok();
+            findings.check(is_there, || {
+                let [a, b] = key;
+                let message = message!(
+                    "the edge from vertex {a} to {b} is within facet {number}, and in none of its \
+                     subfacets"
+                );
+                Violation::new(ViolationKind::FacetTiling, message).vertex(a as usize)
+            });
+        }
+    }
+    for &vertex in &facet.points {
+        findings.check(subfacets.as_flattened().contains(&vertex), || {
+            let message =
+                message!("vertex {vertex} is within facet {number}, and in none of its subfacets");
+            Violation::new(ViolationKind::FacetTiling, message).vertex(vertex as usize)
+        });
+    }
+    Ok(())
+}
+
+/// Checks that the areas of the subfacets in the projection add up to the facet's, up to what
+/// vertices on its edges are off them.
+pub(super) fn check_area(
+    facet: &Facet,
+    ways: &Ways<'_>,
+    subfacets: &[[u32; 3]],
+    findings: &mut Findings,
+) {
+    let (mut difference, mut bound) = (Sum::zero(), Sum::zero());
+    for vertices in subfacets {
+        let [a, b, c] = vertices.map(|vertex| facet.projection.of(ways.view.point(vertex)));
+        for [from, to] in [[&a, &b], [&b, &c], [&c, &a]] {
+            difference.add_facet([from, to]);
+        }
+    }
+    for &ends in &facet.rim {
+        let [from, to] = ends.map(|end| facet.projection.of(ways.input(end)));
+        difference.add_facet([&to, &from]);
+        if ways.faces.subsegment(ways.view, ends).is_none() {
+            add_deviation(&from, &to, &mut bound);
+        }
+    }
+    if difference.sign() == Ordering::Less {
+        let mut magnitude = Sum::zero();
+        magnitude.add(&difference, true);
+        difference = magnitude;
+    }
+    bound.add(&difference, true);
+    findings.check(bound.sign() != Ordering::Less, || {
+        let message = message!(
+            "the subfacets of facet {} have another area than it in its projection",
+            facet.parent
+        );
+        Violation::new(ViolationKind::FacetArea, message)
+    });
+}
+
+/// Adds twice the area that is between an edge and a chain which is as near to it as one may be.
+fn add_deviation(from: &[f64; 2], to: &[f64; 2], bound: &mut Sum) {
+    for (axis, other) in [(0, 1), (1, 0)] {
+        let half = (0.5 * to[axis] - 0.5 * from[axis]).abs().next_up();
+        let unit = unit_in_last_place(from[other].abs().max(to[other].abs()));
+        bound.add_product(&[4.0 * BENT, half, unit]);
+    }
+}

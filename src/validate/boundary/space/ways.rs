@@ -1,0 +1,181 @@
+//! Level 2: chains of subsegments lead along the caller's segments and along the edges of facets,
+//! their vertices are as near to these as doubles can be, and no subsegment is on none of them.
+
+use super::super::chains::{Chains, Way, describe, describe_distance};
+use super::super::exact::{meets, unit_in_last_place};
+use super::faces::Faces;
+use super::given;
+use crate::error::message;
+use crate::memory::{AllocResult, TryGrow, filled};
+use crate::mesh::{Inputs, NONE, Segments};
+use crate::options::Extent;
+use crate::quality::view::View;
+use crate::validate::report::{Findings, Violation, ViolationKind};
+
+/// Searches for chains between inputs, and what was found of the subsegments.
+pub(super) struct Ways<'a> {
+    pub view: View<'a, 3>,
+    pub faces: &'a Faces,
+    pub inputs: &'a Inputs,
+    chains: Chains<'a, 3>,
+    /// Vertices of the chain that was found last.
+    path: Vec<u32>,
+    /// Subsegment -> true if it is on a chain.
+    is_covered: Vec<bool>,
+    /// Subsegment -> the first segment of the caller's whose chain has it, or [`NONE`].
+    owners: Vec<u32>,
+}
+
+impl<'a> Ways<'a> {
+    pub fn new(inputs: &'a Inputs, view: View<'a, 3>, faces: &'a Faces) -> AllocResult<Self> {
+        let count = view.mesh.boundary.subsegments.len();
+        let chains = Chains::new(view, &faces.at)?;
+        let (is_covered, owners) = (filled(count, false)?, filled(count, NONE)?);
+        Ok(Self { view, faces, inputs, chains, path: Vec::new(), is_covered, owners })
+    }
+
+    pub fn is_input(&self, vertex: u32) -> bool {
+        (vertex as usize) < self.inputs.distinct()
+    }
+
+    /// Returns the point of a distinct input.
+    pub fn input(&self, vertex: u32) -> &'a [f64; 3] {
+        given::point(self.inputs, vertex)
+    }
+
+    /// Returns the vertices of the chain that was found last, from end to end.
+    pub fn path(&self) -> &[u32] {
+        &self.path
+    }
+
+    /// Checks the chains of the caller's segments.
+    pub fn check_segments(
+        &mut self,
+        segments: &Segments,
+        findings: &mut Findings,
+    ) -> AllocResult<()> {
+        for segment in 0..segments.count() {
+            let way = Way::of(self.inputs, segments, segment);
+            let found = self.chains.follow(way)?;
+            let is_there =
+                findings.check(found.is_ok(), || describe(way, found.err().unwrap_or(NONE)));
+            if is_there {
+                self.keep_path()?;
+                self.check_vertices(way, findings)?;
+                self.cover(way.segment);
+            }
+        }
+        Ok(())
+    }
+
+    /// Searches for a chain between two inputs, along any subsegments; whether there is one.
+    pub fn find(&mut self, ends: [u32; 2]) -> AllocResult<bool> {
+        let are_vertices = ends.iter().all(|&end| (end as usize) < self.view.vertex_count());
+        if !are_vertices || ends[0] == ends[1] {
+            return Ok(false);
+        }
+        if self.faces.subsegment(self.view, ends).is_some() {
+            self.path.clear();
+            self.path.try_extend(&ends)?;
+            return Ok(true);
+        }
+        let is_found = self.chains.lead(Way { segment: NONE, ends })?;
+        if is_found {
+            self.keep_path()?;
+        }
+        Ok(is_found)
+    }
+
+    /// Checks that a chain leads along an edge of a facet; whether one does.
+    pub fn check_edge(
+        &mut self,
+        facet: u32,
+        ends: [u32; 2],
+        findings: &mut Findings,
+    ) -> AllocResult<bool> {
+        let is_found = self.find(ends)?;
+        findings.check(is_found, || {
+            let [from, to] = ends;
+            let message = message!(
+                "no subsegments lead along an edge of facet {facet} from vertex {from} to {to}"
+            );
+            Violation::new(ViolationKind::SegmentChain, message).vertex(from as usize)
+        });
+        if is_found {
+            self.check_vertices(Way { segment: NONE, ends }, findings)?;
+            self.cover(NONE);
+        }
+        Ok(is_found)
+    }
+
+    fn keep_path(&mut self) -> AllocResult<()> {
+        self.path.clear();
+        self.path.try_extend(self.chains.found())
+    }
+
+    /// Notes that the subsegments of the chain that was found last are on one.
+    fn cover(&mut self, segment: u32) {
+        for pair in self.path.windows(2) {
+            if let Some(subsegment) = self.faces.subsegment(self.view, [pair[0], pair[1]]) {
+                self.is_covered[subsegment as usize] = true;
+                let owner = &mut self.owners[subsegment as usize];
+                *owner = segment.min(*owner);
+            }
+        }
+    }
+
+    /// Checks that inputs on the chain that was found last are near its way, and other vertices
+    /// within half a unit in the last place of the line between the inputs next to them.
+    fn check_vertices(&self, way: Way, findings: &mut Findings) -> AllocResult<()> {
+        let mut from = 0;
+        for to in 1..self.path.len() {
+            let end = self.path[to];
+            if !self.is_input(end) {
+                continue;
+            }
+            if end != way.ends[1] {
+                let is_near = self.chains.is_near(way, end, true)?;
+                findings.check(is_near, || describe_distance(way.segment, end));
+            }
+            for at in from + 1..to {
+                self.check_line([self.path[from], end], self.path[at], findings)?;
+            }
+            from = to;
+        }
+        Ok(())
+    }
+
+    fn check_line(&self, ends: [u32; 2], vertex: u32, findings: &mut Findings) -> AllocResult<()> {
+        let [a, b] = ends.map(|end| self.view.point(end));
+        let p = self.view.point(vertex);
+        let is_near = meets(a, b, p, p.map(unit_in_last_place))?;
+        findings.check(is_near, || {
+            let [from, to] = ends;
+            let message = message!(
+                "vertex {vertex} is more than half a unit in the last place off the line from \
+                 vertex {from} to {to}"
+            );
+            Violation::new(ViolationKind::SegmentLine, message).vertex(vertex as usize)
+        });
+        Ok(())
+    }
+
+    /// Checks that every subsegment is on a chain, and of the first segment that has it. The
+    /// boundary of an extent has subsegments of its own.
+    pub fn check_owners(&self, findings: &mut Findings) {
+        let boundary = &self.view.mesh.boundary;
+        let has_frame = matches!(self.view.mesh.parameters.extent, Extent::Hull | Extent::Box);
+        for (at, (&[a, b], &parent)) in
+            boundary.subsegments.iter().zip(&boundary.parents).enumerate()
+        {
+            let is_known = self.is_covered[at] || parent == NONE && has_frame;
+            findings.check(is_known && parent == self.owners[at], || {
+                let message = message!(
+                    "subsegment {at} from vertex {a} to {b} is of segment {parent}, and no chain \
+                     of that or of a facet's edge has it"
+                );
+                Violation::new(ViolationKind::SegmentLine, message).vertex(a as usize)
+            });
+        }
+    }
+}

@@ -1,6 +1,5 @@
 //! Intersections of the facets and segments of a mesh, found without a run.
 
-use crate::arrangement::Poll;
 use crate::arrangement::space::find_intersections;
 use crate::error::{Error, Result, message};
 use crate::mesh::{Intersection, Mesh};
@@ -19,7 +18,6 @@ impl Mesh {
             let message = message!("the mesh has dimension {dim}; intersections are for 3D");
             return Err(Error::invalid(message));
         }
-        let poll: Poll<'_> = &mut |_| Ok(());
-        find_intersections(self.inputs(), self.given_facets(), self.segments(), poll)
+        find_intersections(self.inputs(), self.given_facets(), self.segments(), &mut |_| Ok(()))
     }
 }

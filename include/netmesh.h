@@ -1990,8 +1990,10 @@ nm_status nm_mesh_create(uint32_t dim,
 
 /**
  * Makes a mesh of the points of a file, as nm_mesh_create does; of NM_FORMAT_POLY,
- * NM_FORMAT_GEOJSON and NM_FORMAT_WKT with its segments and regions, as by nm_mesh_set_segments
- * and nm_mesh_set_regions.
+ * NM_FORMAT_SMESH, NM_FORMAT_GEOJSON and NM_FORMAT_WKT with its segments, facets and regions, as by
+ * nm_mesh_set_segments, nm_mesh_set_facets and nm_mesh_set_regions; of NM_FORMAT_OFF and
+ * NM_FORMAT_PLY in 3D with its faces, as by nm_mesh_set_triangles or, if some are no triangles,
+ * nm_mesh_set_facets.
  *
  * path_utf8: UTF-8 on every system. format: NM_FORMAT_AUTO goes by the extension. The dimension is
  * the file's.
@@ -2161,10 +2163,9 @@ NM_NODISCARD NM_API nm_status nm_mesh_counts(const struct nm_mesh *mesh, struct 
 
 /**
  * Writes what the file of nm_mesh_create_from_file or nm_mesh_create_from_columns has beside what
- * the mesh has of it: edges, faces and cells of a mesh or a surface (NM_FORMAT_GMSH,
- * NM_FORMAT_MEDIT, NM_FORMAT_OFF, NM_FORMAT_PLY, and an .ele file), of which the points alone
- * become something. Zero for all other files, and for nm_mesh_create. O(1). Before nm_run and
- * after.
+ * the mesh has of it: edges, faces and cells of a mesh (NM_FORMAT_GMSH, NM_FORMAT_MEDIT, nOFF, an
+ * .ele file), of which the points alone become something, and of NM_FORMAT_PLY what is no face in
+ * space. Zero for all other files, and for nm_mesh_create. O(1). Before nm_run and after.
  *
  * left_out: the caller sets struct_size.
  *

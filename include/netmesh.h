@@ -538,14 +538,18 @@ enum nm_violation
      */
     NM_VIOLATION_HULL_LINK = 18,
     /**
-     * The arrays of segments and regions do not fit each other or the mesh.
+     * The arrays of segments, facets and regions do not fit each other or the mesh.
      */
     NM_VIOLATION_BOUNDARY_ARRAYS = 19,
     /**
      * The arrays of a domain that is cut out are not the first parts of those of the whole, or its
-     * subsegments are not those that are edges of its simplices.
+     * subsegments and subfacets are not those that are edges and faces of its simplices.
      */
     NM_VIOLATION_DOMAIN_ARRAYS = 20,
+    /**
+     * The simplices that are given for a subfacet are not those that have it, on these sides.
+     */
+    NM_VIOLATION_SUBFACET_SIMPLICES = 21,
     /**
      * Ids of a mesh on several ranks do not rise, are out of range, or are counted from different
      * numbers by two ranks.
@@ -604,17 +608,44 @@ enum nm_violation
      */
     NM_VIOLATION_SUBSEGMENT_EDGE = 106,
     /**
-     * A vertex is strictly inside the circle of which a subsegment is a diameter.
+     * In the plane, a vertex is strictly inside the circle of which a subsegment is a diameter.
      */
     NM_VIOLATION_SUBSEGMENT_GABRIEL = 107,
     /**
-     * Subsegments do not lead from one end of a segment to the other, or go back on the way.
+     * Subsegments do not lead from one end of a segment or of a facet's edge to the other, or go
+     * back on the way.
      */
     NM_VIOLATION_SEGMENT_CHAIN = 108,
     /**
-     * A vertex on a segment is farther from it than rounding makes it.
+     * A vertex on a segment or on a facet's edge is farther from it than rounding makes it, or a
+     * subsegment is on none.
      */
     NM_VIOLATION_SEGMENT_LINE = 109,
+    /**
+     * A subfacet is no face of the mesh.
+     */
+    NM_VIOLATION_SUBFACET_FACE = 110,
+    /**
+     * A subfacet is flat or turned round in the projection of its facet.
+     */
+    NM_VIOLATION_FACET_TRIANGLE = 111,
+    /**
+     * The subfacets of a facet do not meet along their edges, or do not end at its loops.
+     */
+    NM_VIOLATION_FACET_TILING = 112,
+    /**
+     * The subfacets of a facet have another area than the facet.
+     */
+    NM_VIOLATION_FACET_AREA = 113,
+    /**
+     * A vertex on a facet is farther from its plane than rounding makes it.
+     */
+    NM_VIOLATION_FACET_PLANE = 114,
+    /**
+     * Triangles of the caller's are one facet and may not be, or subfacets belong to no facet of
+     * the caller's.
+     */
+    NM_VIOLATION_FACET_GROUP = 115,
     /**
      * An input's vertex does not exist or has other coordinates.
      */
@@ -711,12 +742,12 @@ enum nm_violation
      */
     NM_VIOLATION_SIMPLEX_SIZE = 223,
     /**
-     * Neighbours without a subsegment between them have different labels, the label of a region is
-     * not that of its seed, or a seed has no region of its own.
+     * Neighbours without a subsegment or subfacet between them have different labels, the label of
+     * a region is not that of its seed, or a seed has no region of its own.
      */
     NM_VIOLATION_REGION_LABEL = 224,
     /**
-     * The domain ends between two neighbours where no subsegment is.
+     * The domain ends between two neighbours where no subsegment or subfacet is.
      */
     NM_VIOLATION_DOMAIN_END = 225,
     /**
@@ -728,9 +759,18 @@ enum nm_violation
      */
     NM_VIOLATION_REGION_AREA = 227,
     /**
-     * A simplex is marked as forced by a small angle between segments, and is not.
+     * A simplex is marked as forced by a small angle between segments or facets, and is not.
      */
     NM_VIOLATION_FORCED_SIMPLEX = 228,
+    /**
+     * The simplices with one label have another volume than the facets about them enclose.
+     */
+    NM_VIOLATION_REGION_VOLUME = 229,
+    /**
+     * A simplex is marked as flat in a facet without all of its vertices on one, or is not marked
+     * with them.
+     */
+    NM_VIOLATION_FLAT_SIMPLEX = 230,
 };
 #ifndef __cplusplus
 typedef int32_t nm_violation;

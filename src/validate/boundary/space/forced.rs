@@ -15,10 +15,11 @@ use crate::validate::report::{Findings, Violation, ViolationKind};
 
 /// Lengths within this of each other, relative to the larger, are one: the builder's are rounded.
 const SLACK: f64 = 1e-7;
-/// The cosine of 61.5 degrees, at inputs.
-const SMALL_ANGLE: f64 = 0.477;
-/// The cosine of 91.5 degrees, at edges.
-const SMALL_DIHEDRAL: f64 = -0.026;
+/// The cosine of 60 degrees, at inputs; with roundings, which come down to it.
+const SMALL_ANGLE: f64 = 0.5 - 1e-9;
+/// The cosine of 90 degrees, at edges: nothing forces a simplex at a right angle, which is the
+/// commonest, so that roundings do not count.
+const SMALL_DIHEDRAL: f64 = 1e-9;
 
 /// Facet by its parent, or a line by its first subsegment.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

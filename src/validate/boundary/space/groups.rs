@@ -43,6 +43,7 @@ pub(super) fn check(
             }
         }
     }
+    check_parents(ways, &mut sets, findings);
     let mut members = with_capacity(triangles.len())?;
     for triangle in 0..triangles.len() {
         members.push((sets.find(triangle) as u32, triangle as u32));
@@ -54,7 +55,6 @@ pub(super) fn check(
             None => drop(findings.check(false, || describe("a facet's triangles have no area"))),
         }
     }
-    check_parents(ways, &mut sets, findings);
     Ok(())
 }
 

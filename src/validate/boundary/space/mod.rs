@@ -18,6 +18,8 @@ mod given;
 mod groups;
 mod inside;
 mod plane;
+#[cfg(test)]
+mod tests;
 mod tiling;
 mod ways;
 

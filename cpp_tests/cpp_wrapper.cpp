@@ -205,6 +205,7 @@ void every_option_arrives() {
     refused(__LINE__, "extent", [](options& o) { o.extent = NM_EXTENT_HULL; });  // in 2D only
     refused(__LINE__, "crossings", [](options& o) { o.crossings = static_cast<nm_crossings>(77); });
     refused(__LINE__, "interior", [](options& o) { o.interior = NM_INTERIOR_PARITY; });  // of curves
+    refused(__LINE__, "coplanar", [](options& o) { o.coplanar = 11; });
     refused(__LINE__, "criterion", [](options& o) { o.criterion = static_cast<nm_criterion>(77); });
     options limited;
     limited.max_vertices = 201;
@@ -391,6 +392,90 @@ void results(const std::string& directory) {
     CHECK(caught);
 }
 
+const std::vector<std::vector<std::uint32_t>> sides = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                                       {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+const std::vector<double> cube = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1};
+
+// A cube of one facet a side, with a label, by each of the ways to give facets.
+void facets() {
+    netmesh::mesh mesh(3, cube);
+    const std::vector<std::int32_t> markers = {1, 2, 3, 4, 5, 6};
+    mesh.set_facets(sides, markers);
+    CHECK(mesh.intersections().empty());
+    nm_region region = NM_REGION_INIT;
+    region.label = 9;
+    for (double& x : region.seed) x = 0.5;
+    mesh.set_regions(netmesh::span<const nm_region>(&region, 1));
+    expect_failure(__LINE__, NM_STATE, "nm_run", mesh.try_facet_triangles());
+    expect_failure(__LINE__, NM_STATE, "nm_run", mesh.try_facet_parents());
+    expect_failure(__LINE__, NM_STATE, "nm_run", mesh.try_facet_simplices());
+    mesh.run();
+    const auto triangles = mesh.facet_triangles(), simplices = mesh.facet_simplices();
+    const auto parents = mesh.facet_parents();
+    CHECK_EQUAL(triangles.size(), mesh.counts().facet_triangles);
+    REQUIRE(triangles.size() >= 12 && parents.size() == triangles.size() && simplices.size() == triangles.size());
+    CHECK(parents.front() == 0 && parents.back() == 5 && std::is_sorted(parents.begin(), parents.end()));
+    const auto tetrahedra = mesh.simplices();
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        // The sides look outwards.
+        CHECK(simplices[i][0] == NM_NONE && simplices[i][1] < tetrahedra.size());
+        const auto own = tetrahedra[simplices[i][1]];
+        for (const std::uint32_t vertex : triangles[i]) {
+            CHECK(std::count(own.begin(), own.end(), vertex) == 1);
+        }
+    }
+    double volume = 0;
+    for (const double one : mesh.volumes()) volume += one;
+    CHECK(volume > 1 - 1e-12 && volume < 1 + 1e-12);
+    for (const std::int32_t label : mesh.simplex_regions()) CHECK_EQUAL(label, 9);
+    CHECK_EQUAL(mesh.validate().violations, 0u);
+
+    // As arrays, and as triangles, of which pairs are one facet.
+    const std::string first = mesh.to_string(NM_FORMAT_VTU);
+    std::vector<std::uint64_t> loops, starts;
+    std::vector<std::uint32_t> inputs, corners;
+    for (std::uint64_t i = 0; i < 7; ++i) loops.push_back(i), starts.push_back(4 * i);
+    for (const auto& side : sides) {
+        inputs.insert(inputs.end(), side.begin(), side.end());
+        corners.insert(corners.end(), {side[0], side[1], side[2], side[0], side[2], side[3]});
+    }
+    mesh.set_facets(loops, starts, inputs, markers);
+    mesh.run();
+    CHECK(mesh.to_string(NM_FORMAT_VTU) == first);
+    mesh.set_triangles(corners);
+    mesh.run();
+    const auto of_triangles = mesh.facet_parents();
+    CHECK(std::set<std::uint32_t>(of_triangles.begin(), of_triangles.end())
+          == std::set<std::uint32_t>({0, 2, 4, 6, 8, 10}));
+}
+
+// Facets that cannot be are refused, and those that cross are told.
+void facets_in_need() {
+    netmesh::mesh mesh(3, cube);
+    const std::vector<std::int32_t> markers = {1};
+    const std::vector<std::uint64_t> loops = {0, 1}, starts = {0, 3}, short_starts = {0};
+    const std::vector<std::uint32_t> triangle = {0, 1, 2}, crossing = {0, 3, 5, 1, 2, 7};
+    const netmesh::span<const std::uint32_t> two(triangle.data(), 2);
+    expect_failure(__LINE__, NM_INVALID_ARGUMENT, "markers", mesh.try_set_facets(sides, markers));
+    expect_failure(__LINE__, NM_INVALID_ARGUMENT, "input_starts",
+                   mesh.try_set_facets(loops, short_starts, triangle));
+    expect_failure(__LINE__, NM_INVALID_ARGUMENT, "inputs", mesh.try_set_facets(loops, starts, two));
+    expect_failure(__LINE__, NM_INVALID_ARGUMENT, "three", mesh.try_set_triangles(two));
+    expect_failure(__LINE__, NM_INVALID_ARGUMENT, "three", mesh.try_set_triangles(crossing, markers));
+    expect_failure(__LINE__, NM_INVALID_ARGUMENT, "facets[0]", mesh.try_set_facets({{0, 1}}));
+    CHECK(mesh.try_set_facets(loops, starts, triangle, markers));
+    CHECK(mesh.try_set_facets({}, {}, {}));
+    mesh.set_triangles(crossing);
+    const std::vector<nm_intersection> found = mesh.intersections();
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].kind == NM_INTERSECTION_CROSS && found[0].first == 0 && found[0].second == 1);
+    CHECK(found[0].first_feature == NM_FEATURE_FACET && found[0].struct_size == sizeof found[0]);
+    expect_error(__LINE__, NM_INVALID_ARGUMENT, "cross", [&] { mesh.run(); });
+    netmesh::mesh plane(2, generate("uniform", 2, 10).coordinates);
+    expect_failure(__LINE__, NM_INVALID_ARGUMENT, "3D", plane.try_intersections());
+    expect_failure(__LINE__, NM_INVALID_ARGUMENT, "3D", plane.try_set_triangles(triangle));
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -407,5 +492,7 @@ int main(int count, char** arguments) {
     sizes();
     errors();
     results(arguments[1]);
+    facets_in_need();
+    facets();
     return check::result("cpp_wrapper");
 }

@@ -23,7 +23,7 @@ add_test(NAME page.python.mesh_array COMMAND "${CMAKE_COMMAND}"
          -P "${CMAKE_CURRENT_LIST_DIR}/python.cmake")
 set_tests_properties(page.python.mesh_array PROPERTIES SKIP_REGULAR_EXPRESSION "SKIP: " TIMEOUT 300)
 
-foreach(name first_mesh control queries)
+foreach(name first_mesh control queries facets)
   netmesh_page_example(cpp ${name})
 endforeach()
 netmesh_page_example(cpp results "${scratch_dir}")

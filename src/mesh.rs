@@ -7,14 +7,17 @@ mod boundary;
 mod boxed;
 mod facets;
 mod inputs;
+mod intersection;
 mod left_out;
 pub mod sizes;
 
 pub use attribute::Attribute;
 pub use boundary::{Arrangement, Boundary, Crowded, Region, Segments, Subsegment};
 pub use boxed::Boxed;
+pub(crate) use facets::check_starts;
 pub use facets::{ArrangedFacet, FacetTriangle, Facets};
 pub use inputs::Inputs;
+pub use intersection::{Feature, Intersection, IntersectionKind};
 pub use left_out::LeftOut;
 
 use crate::error::{Error, ErrorKind, Result, message};
@@ -319,8 +322,8 @@ impl Mesh {
     /// run stays as it is.
     ///
     /// # Errors
-    /// `InvalidArgument` (a mesh that is not in the plane; an odd length of `ends`, an end that is
-    /// no input, two ends that are the same point, the length of `markers`), `Capacity`,
+    /// `InvalidArgument` (a mesh of more than three dimensions; an odd length of `ends`, an end that
+    /// is no input, two ends that are the same point, the length of `markers`), `Capacity`,
     /// `OutOfMemory`.
     pub fn set_segments(&mut self, ends: &[u32], markers: Option<&[i32]>) -> Result<()> {
         let segments = Segments::new(&self.inputs, ends, markers)?;
@@ -333,6 +336,48 @@ impl Mesh {
 
     pub fn segments(&self) -> &Segments {
         &self.segments
+    }
+
+    /// Sets the facets in space that the next run keeps as triangles of its simplices, and a marker
+    /// of the caller's for each (0 without `markers`). They replace earlier facets and triangles;
+    /// the result of a run stays as it is.
+    ///
+    /// Facet `i` has the loops `loop_starts[i]` to `loop_starts[i + 1]`, and loop `j` the inputs
+    /// `input_starts[j]` to `input_starts[j + 1]` of `inputs`; both arrays rise from 0 and have one
+    /// element more than there are facets and loops. Three inputs or more are a polygon, two a
+    /// segment in the facet, one a vertex in it; what an odd number of polygons surround is in the
+    /// facet.
+    ///
+    /// # Errors
+    /// `InvalidArgument` (a mesh that is not in space; starts that do not rise from 0 to the lengths;
+    /// a number that is no input; a loop with one point twice in a row; a facet without a polygon;
+    /// the length of `markers`), `Capacity`, `OutOfMemory`.
+    pub fn set_facets(
+        &mut self,
+        loop_starts: &[u64],
+        input_starts: &[u64],
+        inputs: &[u32],
+        markers: Option<&[i32]>,
+    ) -> Result<()> {
+        let starts = [loop_starts, input_starts];
+        let facets = Facets::of_loops(&self.inputs, starts, inputs, markers)?;
+        self.replace_facets(facets);
+        Ok(())
+    }
+
+    /// Sets the triangles of a surface in space, which the next run keeps: three inputs for each,
+    /// and a marker of the caller's (0 without `markers`). Triangles that share an edge, lie in one
+    /// plane up to [`crate::Options::coplanar`] and have one marker are one facet. They replace
+    /// earlier triangles and facets; the result of a run stays as it is.
+    ///
+    /// # Errors
+    /// `InvalidArgument` (a mesh that is not in space; a length of `inputs` that is no multiple of
+    /// 3; a number that is no input; a triangle with one point twice; the length of `markers`),
+    /// `Capacity`, `OutOfMemory`.
+    pub fn set_triangles(&mut self, inputs: &[u32], markers: Option<&[i32]>) -> Result<()> {
+        let facets = Facets::of_triangles(&self.inputs, inputs, markers)?;
+        self.replace_facets(facets);
+        Ok(())
     }
 
     /// Replaces the facets that the next run keeps. The result of a run stays as it is.
@@ -355,17 +400,17 @@ impl Mesh {
     }
 
     /// Returns the markers of the segments that the result was made with, which
-    /// [`Boundary::parents`] refers to.
+    /// [`Boundary::parents`] refers to; the markers of facets are in [`Mesh::facets_of_result`].
     pub fn markers_of_result(&self) -> &[i32] {
         &self.outline_of_result().0.markers
     }
 
-    /// Sets labels, holes and largest edges for regions between segments, for the next run. They
-    /// replace earlier regions; the result of a run stays as it is.
+    /// Sets labels, holes and largest edges for regions between segments in the plane, or facets in
+    /// space, for the next run. They replace earlier regions; the result of a run stays as it is.
     ///
     /// # Errors
-    /// `InvalidArgument` (a mesh that is not in the plane; a negative or infinite `max_edge`),
-    /// `NonFinite` (a seed), `OutOfMemory`.
+    /// `InvalidArgument` (a mesh of more than three dimensions; a third coordinate in the plane; a
+    /// negative or infinite `max_edge`), `NonFinite` (a seed), `OutOfMemory`.
     pub fn set_regions(&mut self, regions: &[Region]) -> Result<()> {
         let regions = boundary::checked_regions(&self.inputs, regions)?;
         let earlier = std::mem::replace(&mut self.regions, regions);

@@ -60,6 +60,7 @@ impl Parameters {
     pub fn resolve(dim: usize, options: &Options) -> Result<Self> {
         require_bound(dim, options)?;
         require_dihedral(dim, options)?;
+        require_space(dim, options)?;
         let mut full = options.clone();
         for name in Name::OPTIONS {
             fill_number(dim, *name, options, &mut full)?;
@@ -219,6 +220,18 @@ fn require_dihedral(dim: usize, options: &Options) -> Result<()> {
     Ok(())
 }
 
+/// Refuses an angle up to which facets are flat where there are no facets.
+fn require_space(dim: usize, options: &Options) -> Result<()> {
+    let given = options.coplanar;
+    if dim != 3 && given != 0.0 {
+        return refuse(say!(
+            Name::Coplanar,
+            " is {given}; it must be 0 in {dim}D: facets are for 3D"
+        ));
+    }
+    Ok(())
+}
+
 /// Refuses what cages would break in a mesh that has them, or that an algorithm does not keep.
 fn require_no_cages(options: &Options) -> Result<()> {
     let Some(other) = cages_or_other(options) else { return Ok(()) };
@@ -306,6 +319,19 @@ mod tests {
         assert!((sine - 0.125).abs() < 1e-15, "{sine}");
         assert_eq!(angle(2, Criterion::VoronoiAspect), 0.0);
         assert_eq!(angle(3, Criterion::RadiusEdge), 0.0);
+    }
+
+    #[test]
+    fn facets_may_be_bent_in_space_alone() {
+        let angle = |coplanar| Options { coplanar, ..Options::default() };
+        assert_eq!([0.0, 1e-9, 10.0].map(|x| resolved(3, angle(x)).coplanar), [0.0, 1e-9, 10.0]);
+        let range = "options.coplanar is 10.5; it must be 0 (default 0) or in [0, 10]";
+        assert_eq!(refusal(3, angle(10.5)), range);
+        assert!(refusal(3, angle(-1.0)).starts_with("options.coplanar is -1; it must be 0"));
+        for dim in [2, 4] {
+            let rule = format!("options.coplanar is 1; it must be 0 in {dim}D: facets are for 3D");
+            assert_eq!(refusal(dim, angle(1.0)), rule);
+        }
     }
 
     #[test]

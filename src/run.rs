@@ -11,6 +11,8 @@ use crate::options::{Extent, Interior, Options, Progress, ProgressFn, SizeFn};
 use crate::parameters::{check_sized, with_interior};
 use crate::sizes::Field;
 
+mod intersections;
+
 /// Largest number of tries to lead segments through further vertices where doubles leave no room
 /// between them.
 const MOST_TRIES: usize = 64;

@@ -26,6 +26,8 @@ pub fn json(summary: &Summary<'_>) -> String {
             "vertices": summary.triangulation.vertex_count(),
             "simplices": summary.triangulation.simplex_count(),
             "domains": summary.triangulation.domains.len(),
+            "segment_edges": summary.triangulation.boundary.subsegments.len(),
+            "facet_triangles": summary.triangulation.boundary.subfacets.len(),
         },
         "left_out": {
             "edges": left_out.edges,
@@ -85,6 +87,7 @@ fn quality(summary: &Summary<'_>) -> Value {
         "forced": quality.forced,
         "least_forced_angle_degrees": number(quality.least_forced_angle_degrees),
         "below_min_angle": quality.below_min_angle,
+        "flat": quality.flat,
     })
 }
 

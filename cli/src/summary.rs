@@ -211,10 +211,18 @@ impl Summary<'_> {
             lines.add("", format!("{below} below {degrees} degrees that nothing forces"));
         }
         if quality.forced > 0 {
-            let forced = counted(quality.forced, "triangle", "triangles");
+            let (one, many, between) = match self.triangulation.dim {
+                2 => ("triangle", "triangles", "segments"),
+                _ => ("simplex", "simplices", "facets and segments"),
+            };
+            let forced = counted(quality.forced, one, many);
             let least = measure(quality.least_forced_angle_degrees);
-            let why = "that small angles between segments force";
-            lines.add("", format!("{forced} {why}, smallest angle {least} degrees"));
+            let why = format!("that small angles between {between} force");
+            lines.add("", format!("{forced} {why}, smallest {angle} {least} degrees"));
+        }
+        if quality.flat > 0 {
+            let flat = counted(quality.flat, "simplex", "simplices");
+            lines.add("", format!("{flat} with all vertices on one facet, flat but for roundings"));
         }
         let stats = &self.triangulation.stats;
         if stats.near_inputs > 0 {

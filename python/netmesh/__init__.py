@@ -22,6 +22,7 @@ from ._errors import (
     OutOfMemoryError,
     StateError,
 )
+from ._facets import intersections
 from ._filtration import Filtration
 from ._interpolator import LinearNDInterpolator
 from ._mesh import Mesh, mesh
@@ -31,6 +32,7 @@ from ._part import Part
 from ._results import (
     CSR,
     Facets,
+    Intersection,
     Placement,
     Quality,
     Report,
@@ -58,6 +60,7 @@ __all__ = [
     "Filtration",
     "FormatError",
     "InternalError",
+    "Intersection",
     "InvalidArgumentError",
     "LimitError",
     "LinearNDInterpolator",
@@ -75,6 +78,7 @@ __all__ = [
     "Violation",
     "Voronoi",
     "VoronoiCells",
+    "intersections",
     "mesh",
 ]
 

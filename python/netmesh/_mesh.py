@@ -19,6 +19,7 @@ from ._arrays import (
     vertex_columns,
 )
 from ._boundary import boundary_of
+from ._facets import facets_of, points_and_facets
 from ._filtration import Filtration
 from ._histogram import histogram
 from ._netmesh import Core
@@ -27,14 +28,25 @@ from ._progress import reporter
 from ._results import DOMAIN, Quality, Report, Stats, Violation
 
 # Arguments of `mesh` beside the options.
-_NO_OPTIONS = ("points", "progress", "segments", "markers", "regions", "holes")
+_NO_OPTIONS = (
+    "points",
+    "progress",
+    "segments",
+    "facets",
+    "markers",
+    "facet_markers",
+    "regions",
+    "holes",
+)
 
 
 def mesh(
     points: Any,
     segments: Any = None,
+    facets: Any = None,
     *,
     markers: Any = None,
+    facet_markers: Any = None,
     regions: Any = None,
     holes: Any = None,
     criterion: Literal["voronoi_aspect", "radius_edge"] = "voronoi_aspect",
@@ -73,17 +85,27 @@ def mesh(
 
     Parameters
     ----------
-    points : array_like of float, shape (n, dim)
+    points : array_like of float, shape (n, dim), or a surface
         At least two distinct points. Arrays of doubles whose rows are contiguous are read where
-        they are.
+        they are. Of an object with `vertices` and `faces`, such as a mesh of trimesh, both are
+        taken: the faces are the facets.
     segments : array_like of int, shape (segments, 2), optional
-        In 2D: pairs of points between which edges shall lie, split at points on the way.
+        In 2D and 3D: pairs of points between which edges shall lie, split at points on the way.
+    facets : array_like of int, shape (triangles, 3), or a sequence, optional
+        In 3D: triangles of a surface, of which those that share an edge, lie in one plane up to
+        `coplanar` and have one marker are one facet. Or flat polygons, each a list of points; or
+        for each facet a list of loops, of which three points or more are a polygon (one in another
+        is a hole), two a segment in the facet, one a vertex in it. Or a surface with `faces`, with
+        whose `vertices` the points begin. Facets become triangles of the mesh; they may meet in
+        vertices and edges that they share, and nowhere else (`intersections`).
     markers : array_like of int, shape (segments,), optional
         Numbers of the segments, 0 by default; files have them.
+    facet_markers : array_like of int, shape (facets,), optional
+        Numbers of the facets, 0 by default; files have them.
     regions : sequence of (x, y, label) or (x, y, label, max_edge), optional
-        Points of regions that segments bound, a label for the triangles of each, and the longest
-        edge there.
-    holes : array_like of float, shape (holes, 2), optional
+        Points of regions that segments bound, in 3D (x, y, z, ...) of those that facets bound, a
+        label for the simplices of each, and the longest edge there.
+    holes : array_like of float, shape (holes, dim), optional
         Points of regions that are no part of the result, whatever `extent`. Each of `regions` and
         `holes` must be in a region of its own.
     criterion : {'voronoi_aspect', 'radius_edge'}
@@ -208,6 +230,16 @@ def mesh(
     True
     >>> m.simplices.shape[1], m.quality().worst_aspect_anywhere <= 2.5
     (3, True)
+
+    A cube, of two triangles a side:
+
+    >>> corners = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+    >>> sides = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    >>> cube = netmesh.mesh(corners, facets=sides, regions=[(0.5, 0.5, 0.5, 7)])
+    >>> round(float(cube.volumes.sum()), 12), len(cube.facet_triangles) >= 12
+    (1.0, True)
+    >>> bool((cube.simplex_regions == 7).all())
+    True
     """
     given = {name: value for name, value in locals().items() if name not in _NO_OPTIONS}
     if size is not None and not callable(size):
@@ -215,9 +247,12 @@ def mesh(
         given["size"] = sizes if sizes.ndim else float(sizes)
     if isinstance(background, tuple) and len(background) == 2:
         given["background"] = background[0], doubles(background[1], "background")
+    points, facets = points_and_facets(points, facets)
     boundary = None
-    if not all(value is None for value in (segments, markers, regions, holes)):
-        boundary = boundary_of(segments, markers, regions, holes)
+    if not all(value is None for value in (segments, facets, markers, facet_markers, regions, holes)):
+        points = point_rows(points)
+        boundary = boundary_of(segments, markers, regions, holes, points.shape[1])
+        boundary = (*boundary, facets_of(facets, facet_markers))
     return Mesh._run(points, given, progress, boundary)
 
 
@@ -362,12 +397,50 @@ class Mesh(Arrays):
 
     @property
     def segment_parents(self) -> np.ndarray:
-        """Segment that each edge of `segments` is a part of, int32, shape (edges,)."""
+        """Segment that each edge of `segments` is a part of, int32, shape (edges,).
+
+        -1 for edges of a hull or box, and in 3D for edges of facets that are no segments.
+        """
         return self._core.segment_parents
 
     @property
+    def facet_triangles(self) -> np.ndarray:
+        """Triangles that facets have become, int32, shape (triangles, 3).
+
+        Their vertices go counterclockwise where the normal of the facet points to, that of its first
+        polygon. `facets` has those of all simplices.
+
+        Examples
+        --------
+        >>> import netmesh
+        >>> points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+        >>> m = netmesh.mesh(points, facets=[[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
+        >>> len(m.facet_triangles) == len(m.facet_parents) == len(m.facet_simplices) >= 4
+        True
+        >>> bool((m.facet_simplices[:, 0] == -1).all())    # all facets look outwards
+        True
+        """
+        return self._core.facet_triangles
+
+    @property
+    def facet_parents(self) -> np.ndarray:
+        """Facet that each of `facet_triangles` is a part of, int32, shape (triangles,).
+
+        Of triangles that are one facet the first; -1 for the boundary of a hull or box.
+        """
+        return self._core.facet_parents
+
+    @property
+    def facet_simplices(self) -> np.ndarray:
+        """Simplices that have each of `facet_triangles`, int32, shape (triangles, 2).
+
+        First the one where the normal points to, then the one behind; -1 where the domain ends.
+        """
+        return self._core.facet_simplices
+
+    @property
     def simplex_regions(self) -> np.ndarray:
-        """Label of each simplex' region, int32, shape (simplices,); empty without segments."""
+        """Label of each simplex' region, int32, shape (simplices,); empty without segments and facets."""
         return self._core.simplex_regions
 
     @property

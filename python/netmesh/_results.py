@@ -1,7 +1,7 @@
 """Named tuples that a mesh answers with, and the values that its arrays have."""
 
 import enum
-from typing import NamedTuple, Optional
+from typing import NamedTuple, Optional, Tuple
 
 import numpy as np
 
@@ -32,6 +32,20 @@ class Placement(enum.IntEnum):
 
 #: One element of `Mesh.domains`.
 DOMAIN = np.dtype([("center", np.int32), ("parent", np.int32), ("radius", np.float64)])
+
+
+class Intersection(NamedTuple):
+    """Pair of facets and segments that meet in more than they share: of `netmesh.intersections`."""
+
+    #: 'cross': the interior of one goes through the other; 'touch': they meet on the boundary of one;
+    #: 'overlap': they share an area or a length; 'zero_area': a facet has none, and is both.
+    kind: str
+    #: 'facet' or 'segment', and the number among the facets or segments.
+    first: Tuple[str, int]
+    #: Likewise; the same as the first where a facet meets itself.
+    second: Tuple[str, int]
+    #: A point of the intersection: float64, shape (3,).
+    point: np.ndarray
 
 
 class CSR(NamedTuple):
@@ -124,12 +138,15 @@ class Quality(NamedTuple):
     below_min_dihedral_between_domains: int
     #: Cells, or simplices, beyond the bound where that gave way to the angle.
     beyond_bound: int
-    #: Triangles that a small angle between segments forces; the figures above leave them out.
+    #: Simplices that a small angle between segments or facets forces; the figures above leave them
+    #: out.
     forced: int
-    #: Smallest angle of the forced triangles, in degrees.
+    #: Smallest angle (2D) or dihedral angle of the forced simplices, in degrees.
     least_forced_angle_degrees: float
     #: Triangles that miss the angle and that nothing forces: beside cages, in hierarchical meshes.
     below_min_angle: int
+    #: Tetrahedra with all vertices on one facet, flat but for roundings; the figures leave them out.
+    flat: int
 
 
 class Stats(NamedTuple):

@@ -66,24 +66,7 @@ impl Core {
         boundary: Option<Boundary<'_>>,
     ) -> PyResult<Self> {
         let options = options(given)?;
-        let (n, dim) = points.as_array().dim();
-        if !(MIN_DIM..=MAX_DIM).contains(&dim) {
-            let message = format!(
-                "points has shape ({n}, {dim}); it must be (n, dim), dim from {MIN_DIM} to \
-                 {MAX_DIM}"
-            );
-            return Err(raised(py, ErrorKind::Dimension, message));
-        }
-        if n >= netmesh::NONE as usize {
-            let most = netmesh::NONE - 1;
-            let message = format!("points has shape ({n}, {dim}); at most {most} points have ids");
-            return Err(raised(py, ErrorKind::Capacity, message));
-        }
-        let Some((coordinates, stride)) = strided(&points) else {
-            return Err(invalid(py, "points must stand one after the other in memory".into()));
-        };
-        let mesh = in_default_environment(|| Mesh::new(dim, n, coordinates, stride));
-        let mut mesh = mesh.map_err(|error| exception(py, &error))?;
+        let mut mesh = mesh_of(py, &points)?;
         let sizes = Sizes::new(&mut mesh, given)?;
         if let Some(boundary) = boundary {
             set_boundary(py, &mut mesh, &boundary)?;
@@ -184,6 +167,30 @@ impl Core {
     }
 
     #[getter]
+    fn facet_triangles<'py>(this: &Bound<'py, Self>) -> PyResult<Bound<'py, PyArray2<i32>>> {
+        let mesh = this.get().triangulation();
+        let vertices = mesh.boundary.subfacets.as_flattened();
+        // SAFETY: as above.
+        unsafe { shared_ids(this.as_any(), vertices, 3, mesh.vertex_count()) }
+    }
+
+    #[getter]
+    fn facet_parents<'py>(this: &Bound<'py, Self>) -> PyResult<Bound<'py, PyArray1<i32>>> {
+        let core = this.get();
+        let parents = &core.triangulation().boundary.subfacet_parents;
+        // SAFETY: as above.
+        unsafe { shared_ids_1(this.as_any(), parents, core.mesh.facets_of_result().count()) }
+    }
+
+    #[getter]
+    fn facet_simplices<'py>(this: &Bound<'py, Self>) -> PyResult<Bound<'py, PyArray2<i32>>> {
+        let mesh = this.get().triangulation();
+        let simplices = mesh.boundary.subfacet_simplices.as_flattened();
+        // SAFETY: as above.
+        unsafe { shared_ids(this.as_any(), simplices, 2, mesh.simplex_count()) }
+    }
+
+    #[getter]
     fn simplex_regions<'py>(this: &Bound<'py, Self>) -> PyResult<Bound<'py, PyArray1<i32>>> {
         let labels = &*this.get().triangulation().boundary.simplex_regions;
         // SAFETY: as above.
@@ -259,6 +266,28 @@ impl Core {
             write_file_with(&mesh, &attributes, &path, format)
         })
     }
+}
+
+/// Returns a mesh of points, which are copied.
+pub fn mesh_of(py: Python<'_>, points: &PyReadonlyArray2<'_, f64>) -> PyResult<Mesh> {
+    let (n, dim) = points.as_array().dim();
+    if !(MIN_DIM..=MAX_DIM).contains(&dim) {
+        let message = format!(
+            "points has shape ({n}, {dim}); it must be (n, dim), dim from {MIN_DIM} to \
+             {MAX_DIM}"
+        );
+        return Err(raised(py, ErrorKind::Dimension, message));
+    }
+    if n >= netmesh::NONE as usize {
+        let most = netmesh::NONE - 1;
+        let message = format!("points has shape ({n}, {dim}); at most {most} points have ids");
+        return Err(raised(py, ErrorKind::Capacity, message));
+    }
+    let Some((coordinates, stride)) = strided(points) else {
+        return Err(invalid(py, "points must stand one after the other in memory".into()));
+    };
+    let mesh = in_default_environment(|| Mesh::new(dim, n, coordinates, stride));
+    mesh.map_err(|error| exception(py, &error))
 }
 
 /// Returns the points that were given, duplicates included; a new array.

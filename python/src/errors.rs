@@ -53,6 +53,7 @@ impl Words for InPython<'_> {
                 let (is_hole, at) = Region::number_among_its_kind(self.regions, number as usize);
                 write!(f, "{}[{at}]", if is_hole { "holes" } else { "regions" })
             }
+            Name::Triangle(at) => write!(f, "facets[{at}]"),
             Name::SelectedDomain => f.write_str("domain"),
             other => match other.option() {
                 Some(option) => f.write_str(option),

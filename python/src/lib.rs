@@ -18,6 +18,8 @@ mod voronoi;
 #[pyo3::pymodule]
 mod _netmesh {
     #[pymodule_export]
+    use crate::boundary::intersections;
+    #[pymodule_export]
     use crate::core::Core;
     #[pymodule_export]
     use crate::progress::Progress;

@@ -167,6 +167,7 @@ impl Core {
             forced,
             least_forced_angle_degrees,
             below_min_angle,
+            flat,
         } = abandonable(py, move || quality::measure(made.triangulation()))?;
         let figures = PyDict::new(py);
         figures.set_item("max_degree", max_degree)?;
@@ -184,6 +185,7 @@ impl Core {
         figures.set_item("forced", forced)?;
         figures.set_item("least_forced_angle_degrees", least_forced_angle_degrees)?;
         figures.set_item("below_min_angle", below_min_angle)?;
+        figures.set_item("flat", flat)?;
         Ok(figures)
     }
 

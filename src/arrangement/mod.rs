@@ -28,6 +28,8 @@ mod poll;
 mod ranked;
 mod reach;
 mod shared;
+#[allow(dead_code, unused_imports)]
+pub mod space;
 mod split;
 mod status;
 mod straighten;

@@ -174,7 +174,7 @@ impl Reach<2> {
 }
 
 /// Returns the gap between doubles at `x`, which must not be negative.
-fn unit_in_last_place(x: f64) -> f64 {
+pub(super) fn unit_in_last_place(x: f64) -> f64 {
     match x.next_up() {
         above if above.is_finite() => above - x,
         _ => x - x.next_down(),

@@ -1,6 +1,7 @@
-//! Boundaries in the plane: segments and regions, and what a run has made of them.
+//! Boundaries: segments and regions, and what a run has made of them.
 
 use super::enums::nm_status;
+use super::facets::read_markers;
 use super::getters::{get_array, result};
 use super::handle::{nm_mesh, with_mesh_mut};
 use super::memory::{Versioned, check_rows, read_rows, read_struct};
@@ -10,7 +11,7 @@ use crate::mesh::Region;
 use std::fmt::{self, Display, Formatter};
 use std::mem::offset_of;
 
-/// Label, size or hole of a region of the plane that segments bound, told by a point in it.
+/// Label, size or hole of a region that segments (2D) or facets (3D) bound, told by a point in it.
 #[allow(non_camel_case_types)]
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,12 +44,16 @@ unsafe impl Versioned for nm_region {
 
 const _: () = assert!(size_of::<nm_region>() == 2 * 4 + 4 * 8 + 2 * 4);
 
-/// Gives the mesh segments, which nm_run keeps as chains of edges; 2D only. They replace those of
+/// Gives the mesh segments, which nm_run keeps as chains of edges; 2D and 3D. They replace those of
 /// an earlier call; count 0 removes them. The result of a run stays as it is until the next.
 ///
 /// inputs: the ends, two numbers of inputs a segment, which must be different points. markers: a
 /// number of the caller's for each segment, or NULL for 0; by nm_mesh_get_segment_parents it is
 /// known of each piece. Both are copied.
+///
+/// In 3D segments go with facets (nm_mesh_set_facets, nm_mesh_set_triangles), of which they may be
+/// edges, or without; they may meet others, and facets, only at common vertices and along edges of
+/// facets. The rest is for 2D.
 ///
 /// Segments may share ends and overlap, and inputs may lie on them: nm_run cuts them at the inputs
 /// on them, and at those within 3 units in the last place of the segment's larger coordinates,
@@ -57,9 +62,10 @@ const _: () = assert!(size_of::<nm_region>() == 2 * 4 + 4 * 8 + 2 * 4);
 /// closed curves can tell what is inside of them (nm_options.interior); there segments that
 /// overlap count each, in their directions.
 ///
-/// Errors: NM_NULL_ARGUMENT (mesh, inputs), NM_INVALID_ARGUMENT (a mesh that is not 2D, an end that
-/// is no input, a segment of length 0, an array that is not aligned), NM_CAPACITY (count),
-/// NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh, or it is poisoned).
+/// Errors: NM_NULL_ARGUMENT (mesh, inputs), NM_INVALID_ARGUMENT (a mesh of more than three
+/// dimensions, an end that is no input, a segment of length 0, an array that is not aligned),
+/// NM_CAPACITY (count), NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh, or it is
+/// poisoned).
 ///
 /// O(count). Before nm_run and after.
 #[unsafe(no_mangle)]
@@ -73,27 +79,23 @@ pub unsafe extern "C" fn nm_mesh_set_segments(
     unsafe {
         with_mesh_mut(mesh, |mesh| {
             let inputs = read_rows("inputs", inputs, count, 2)?;
-            let markers = match markers.is_null() {
-                true => None,
-                false => Some(read_rows("markers", markers, count, 1)?),
-            };
-            mesh.set_segments(inputs, markers)
+            mesh.set_segments(inputs, read_markers(markers, count)?)
         })
     }
 }
 
-/// Tells what the regions are that segments bound: their labels, which of them are holes, and how
-/// large their simplices may be; 2D only. They replace those of an earlier call; count 0 removes
+/// Tells what the regions are that segments bound in 2D and facets in 3D: their labels, which of
+/// them are holes, and how large their simplices may be. They replace those of an earlier call; count 0 removes
 /// them. The result of a run stays as it is until the next.
 ///
 /// regions: copied. nm_run refuses seeds that name no region, and two in one region, by their
-/// numbers. With NM_EXTENT_ALL what surrounds all segments is a region, too; with other extents a
-/// seed must be in the hull, in the box, or in what segments enclose. Where a rule of
+/// numbers. With NM_EXTENT_ALL what surrounds all segments or facets is a region, too; with other
+/// extents a seed must be in the hull, in the box, or in what segments or facets enclose. Where a rule of
 /// nm_options.interior leaves a region out, it may have the seed of a hole.
 ///
-/// Errors: NM_NULL_ARGUMENT (mesh, regions), NM_INVALID_ARGUMENT (a mesh that is not 2D, a field;
-/// the message names region, field and rule), NM_NON_FINITE (a seed), NM_OUT_OF_MEMORY, NM_STATE
-/// (another call is using the mesh, or it is poisoned).
+/// Errors: NM_NULL_ARGUMENT (mesh, regions), NM_INVALID_ARGUMENT (a mesh of more than three
+/// dimensions, a field; the message names region, field and rule), NM_NON_FINITE (a seed),
+/// NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh, or it is poisoned).
 ///
 /// O(count). Before nm_run and after.
 #[unsafe(no_mangle)]
@@ -166,7 +168,8 @@ fn decode(name: RegionName, region: &nm_region) -> Result<Region> {
 
 /// Writes the edges that segments have become: two vertex ids an edge, in the direction of the
 /// segment; by segments, and along each. Each is an edge of a simplex of the mesh: there are none
-/// of what is outside of the domain. None without segments.
+/// of what is outside of the domain. In 3D the edges of facets come last. None without segments
+/// and facets.
 ///
 /// Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
 /// NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (before nm_run, nm_run at work, poisoned).
@@ -186,7 +189,8 @@ pub unsafe extern "C" fn nm_mesh_get_segments(
 }
 
 /// Writes for each edge of nm_mesh_get_segments the segment that it is a part of: its number in
-/// nm_mesh_set_segments. Of segments that overlap it is the first.
+/// nm_mesh_set_segments. Of segments that overlap it is the first. NM_NONE for an edge of a hull or
+/// box, and in 3D for an edge of facets that is no segment.
 ///
 /// Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
 /// NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (before nm_run, nm_run at work, poisoned).
@@ -202,7 +206,7 @@ pub unsafe extern "C" fn nm_mesh_get_segment_parents(
 }
 
 /// Writes for each simplex the label of its region, 0 where no region of nm_mesh_set_regions has
-/// its seed. None without segments.
+/// its seed. None without segments or facets.
 ///
 /// Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
 /// NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (before nm_run, nm_run at work, poisoned).

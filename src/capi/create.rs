@@ -107,6 +107,7 @@ pub unsafe extern "C" fn nm_mesh_create_from_columns(
             let choice = Choice {
                 coordinates: parsed("columns", columns)?,
                 attributes: parsed("attributes", attributes)?,
+                ..Choice::default()
             };
             io::read_table_file(path, decode_format(format)?, &choice)?.mesh(true)
         })

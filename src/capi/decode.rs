@@ -29,6 +29,7 @@ pub(super) fn decode_format(raw: MaybeUninit<nm_format>) -> Result<Format> {
         Format::Poly,
         Format::GeoJson,
         Format::Wkt,
+        Format::Smesh,
     ];
     decode("format", "nm_format", raw, formats)
 }

@@ -169,6 +169,36 @@ pub enum nm_placement {
     NM_PLACEMENT_OUTSIDE = 2,
 }
 
+/// Kind of a feature that a mesh in space is given.
+/// cbindgen:rename-all=none
+#[allow(non_camel_case_types)]
+#[repr(i32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum nm_feature {
+    /// A facet of nm_mesh_set_facets, or a triangle of nm_mesh_set_triangles.
+    NM_FEATURE_FACET = 0,
+    /// A segment of nm_mesh_set_segments.
+    NM_FEATURE_SEGMENT = 1,
+}
+
+/// Kind of an intersection of nm_mesh_get_intersections; of several places where two features meet
+/// it is that of one.
+/// cbindgen:rename-all=none
+#[allow(non_camel_case_types)]
+#[repr(i32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum nm_intersection_kind {
+    /// The interior of one of the two goes through the other.
+    NM_INTERSECTION_CROSS = 1,
+    /// They meet on the boundary of one of them, and neither goes through the other.
+    NM_INTERSECTION_TOUCH = 2,
+    /// They share an area or a length: coplanar facets that overlap, collinear segments and edges,
+    /// duplicates.
+    NM_INTERSECTION_OVERLAP = 3,
+    /// The facet, or a triangle of it, has no area; both features are that facet.
+    NM_INTERSECTION_ZERO_AREA = 4,
+}
+
 /// File formats; docs/formats.md tells what each contains. Point formats (XYZ, CSV, NPY) can be
 /// written before a run, the others answer NM_STATE. A format that cannot hold the mesh's dimension
 /// answers NM_INVALID_ARGUMENT. VTU and the two JSON formats cannot be read. Of the others the
@@ -179,7 +209,7 @@ pub enum nm_placement {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum nm_format {
     /// Format that the extension of the path names: .vtu, .node and .ele, .msh, .mesh, .off, .ply, .xyz (.txt,
-    /// .xy, .pts), .csv, .npy, .poly, .geojson, .wkt, .voronoi.json, .domains.json.
+    /// .xy, .pts), .csv, .npy, .poly, .smesh, .geojson, .wkt, .voronoi.json, .domains.json.
     NM_FORMAT_AUTO = 0,
     /// VTK XML unstructured grid (.vtu), for ParaView and VTK, with arrays per point and per cell.
     /// Dimensions 2 and 3.
@@ -205,8 +235,8 @@ pub enum nm_format {
     NM_FORMAT_VORONOI_JSON = 10,
     /// The hierarchy of domains with their cages as JSON (.domains.json).
     NM_FORMAT_DOMAINS_JSON = 11,
-    /// Triangle's points, segments, holes and regions of the plane, read only (.poly); the points
-    /// may be in the .node file beside.
+    /// Triangle's points, segments, holes and regions of the plane, or TetGen's points, facets,
+    /// holes and regions of space, read only (.poly); the points may be in the .node file beside.
     NM_FORMAT_POLY = 12,
     /// GeoJSON (RFC 7946): points, lines and polygons of the plane, read only (.geojson). Lines and
     /// rings are segments; their marker is the number of the feature, from 1. A third coordinate
@@ -215,6 +245,8 @@ pub enum nm_format {
     /// Well-known text: geometries of the plane, one after another, read only (.wkt). As of
     /// NM_FORMAT_GEOJSON; the marker is the number of the geometry, from 1.
     NM_FORMAT_WKT = 14,
+    /// TetGen's points, facets of one polygon each, holes and regions, read only (.smesh).
+    NM_FORMAT_SMESH = 15,
 }
 
 /// Returns the byte of a placement at the boundary.

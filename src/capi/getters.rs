@@ -62,6 +62,8 @@ fn count(mesh: &Mesh) -> nm_counts {
         vertices: triangulation.map_or(inputs.distinct(), Triangulation::vertex_count) as u64,
         simplices: triangulation.map_or(0, Triangulation::simplex_count) as u64,
         domains: triangulation.map_or(0, |t| t.domains.len()) as u64,
+        segment_edges: triangulation.map_or(0, |t| t.boundary.subsegments.len()) as u64,
+        facet_triangles: triangulation.map_or(0, |t| t.boundary.subfacets.len()) as u64,
     }
 }
 
@@ -368,15 +370,17 @@ mod tests {
         let status = unsafe { nm_mesh_get_domains(&mesh, null_mut(), 0, &mut needed) };
         assert_eq!((status, needed), (nm_status::NM_OK, 0));
         let expected = nm_counts {
-            struct_size: 48,
+            struct_size: 64,
             dim: 2,
             inputs: 5,
             duplicates: 1,
             vertices: 4,
             simplices: 0,
             domains: 0,
+            segment_edges: 0,
+            facet_triangles: 0,
         };
-        let mut counts = nm_counts { struct_size: 48, dim: 9, ..expected };
+        let mut counts = nm_counts { struct_size: 64, dim: 9, ..expected };
         // SAFETY: a live handle and a whole struct.
         let status = unsafe { nm_mesh_counts(&mesh, &mut counts) };
         assert_eq!((status, counts), (nm_status::NM_OK, expected));

@@ -105,6 +105,7 @@ fn encode_quality(quality: &Quality) -> nm_quality {
         forced: quality.forced,
         least_forced_angle_degrees: quality.least_forced_angle_degrees,
         below_min_angle: quality.below_min_angle,
+        flat: quality.flat,
     }
 }
 
@@ -273,13 +274,14 @@ mod tests {
             forced: 12,
             least_forced_angle_degrees: 13.0,
             below_min_angle: 14,
+            flat: 15,
         };
         let encoded = encode_quality(&quality);
         // SAFETY: numbers without padding.
-        let words: [u64; 14] = unsafe { std::mem::transmute(encoded) };
+        let words: [u64; 15] = unsafe { std::mem::transmute(encoded) };
         let doubles = [2.0, 3.0, 4.0, 5.0, 6.0, 7.0].map(f64::to_bits);
         assert_eq!((encoded.max_degree, &words[1..7]), (1, &doubles[..]));
-        assert_eq!(words[7..], [8, 9, 10, 11, 12, 13f64.to_bits(), 14]);
+        assert_eq!(words[7..], [8, 9, 10, 11, 12, 13f64.to_bits(), 14, 15]);
     }
 
     #[test]

@@ -125,6 +125,11 @@ impl<T: Versioned> OutStruct<T> {
         Ok(Self { pointer, size: check_struct_size::<T>(argument, size)? })
     }
 
+    /// Returns the number of the caller's bytes.
+    pub(super) fn size(&self) -> usize {
+        self.size
+    }
+
     /// Writes `value`, as much as fits; `struct_size` stays the caller's.
     pub fn write(&self, value: &T) {
         let start = size_of::<u32>();
@@ -313,13 +318,15 @@ mod tests {
     use std::ptr::{null, null_mut};
 
     const COUNTS: nm_counts = nm_counts {
-        struct_size: 48,
+        struct_size: 64,
         dim: 3,
         inputs: 5,
         duplicates: 1,
         vertices: 9,
         simplices: 20,
         domains: 2,
+        segment_edges: 7,
+        facet_triangles: 6,
     };
 
     /// A struct of another version: `T` and what follows it.
@@ -342,7 +349,7 @@ mod tests {
 
     #[test]
     fn a_smaller_struct_keeps_the_defaults() {
-        assert_eq!(read(&larger(48, [9; 8])).unwrap(), COUNTS, "what follows is not looked at");
+        assert_eq!(read(&larger(64, [9; 8])).unwrap(), COUNTS, "what follows is not looked at");
         let short = read(&larger(16, [9; 8])).unwrap();
         assert_eq!((short.struct_size, short.dim, short.inputs), (16, 3, 5));
         assert_eq!(short.duplicates, 7);
@@ -352,14 +359,14 @@ mod tests {
 
     #[test]
     fn a_larger_struct_must_end_in_zeros() {
-        assert_eq!(read(&larger(56, [0; 8])).unwrap().domains, 2);
-        assert_eq!(read(&larger(52, [0, 0, 0, 0, 1, 0, 0, 0])).unwrap().domains, 2);
+        assert_eq!(read(&larger(72, [0; 8])).unwrap().domains, 2);
+        assert_eq!(read(&larger(68, [0, 0, 0, 0, 1, 0, 0, 0])).unwrap().domains, 2);
         for byte in 0..8 {
             let mut tail = [0; 8];
             tail[byte] = 1;
-            let error = read(&larger(56, tail)).unwrap_err();
+            let error = read(&larger(72, tail)).unwrap_err();
             assert_eq!(error.kind(), ErrorKind::InvalidArgument);
-            let place = format!("byte {}", 48 + byte);
+            let place = format!("byte {}", 64 + byte);
             assert!(error.message().contains(&place), "{}", error.message());
         }
     }
@@ -372,7 +379,7 @@ mod tests {
             assert_eq!(error.kind(), ErrorKind::InvalidArgument);
             let start = format!("counts.struct_size is {size};");
             assert!(error.message().starts_with(&start), "{}", error.message());
-            assert!(error.message().ends_with("sizeof(nm_counts), 48 in this version"));
+            assert!(error.message().ends_with("sizeof(nm_counts), 64 in this version"));
         }
         // SAFETY: NULL is allowed.
         let null = unsafe { read_struct("counts", null(), COUNTS) };
@@ -381,15 +388,15 @@ mod tests {
 
     #[test]
     fn only_the_callers_bytes_are_written() {
-        for size in 4..=56_u8 {
-            let mut bytes = [0xee; 64];
+        for size in 4..=72_u8 {
+            let mut bytes = [0xee; 80];
             bytes[..4].copy_from_slice(&u32::from(size).to_ne_bytes());
             // SAFETY: `bytes` is longer than every size.
             let out = unsafe { OutStruct::new("counts", bytes.as_mut_ptr().cast()) };
             out.unwrap().write(&COUNTS);
             // SAFETY: numbers without padding.
-            let source: [u8; 48] = unsafe { std::mem::transmute(COUNTS) };
-            let end = usize::from(size).min(48);
+            let source: [u8; 64] = unsafe { std::mem::transmute(COUNTS) };
+            let end = usize::from(size).min(64);
             assert_eq!(bytes[..4], u32::from(size).to_ne_bytes());
             assert_eq!(bytes[4..end], source[4..end]);
             assert!(bytes[end..].iter().all(|&byte| byte == 0xee), "{size}");

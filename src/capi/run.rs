@@ -156,6 +156,8 @@ mod tests {
             vertices: 0,
             simplices: 0,
             domains: 0,
+            segment_edges: 0,
+            facet_triangles: 0,
         };
         // SAFETY: a live handle and a whole struct.
         (unsafe { nm_mesh_counts(mesh, &mut counts) }, counts)

@@ -117,17 +117,23 @@ pub struct nm_options {
     /// Promise that gives way where min_dihedral and quality_bound cannot both be kept; without
     /// effect where min_dihedral is 0. Default NM_GIVES_WAY_ANGLE.
     pub gives_way: MaybeUninit<GivesWay>,
-    /// Domain: the region of the plane that the result covers. What lies beyond is cut away, and
-    /// the boundary is a chain of edges. Above 2D NM_EXTENT_AUTO or NM_EXTENT_ALL. Default
-    /// NM_EXTENT_AUTO.
+    /// Domain: the region that the result covers. What lies beyond is cut away, and the boundary is
+    /// made of edges in 2D, and of triangles in 3D. In 3D NM_EXTENT_AUTO, NM_EXTENT_ALL or
+    /// NM_EXTENT_BOUNDARY, above 3D NM_EXTENT_AUTO or NM_EXTENT_ALL. Default NM_EXTENT_AUTO.
     pub extent: MaybeUninit<Extent>,
-    /// Rule by which regions between segments are inside, with NM_EXTENT_BOUNDARY and, where there
-    /// are segments, NM_EXTENT_AUTO; otherwise it must be neither NM_INTERIOR_PARITY nor
-    /// NM_INTERIOR_WINDING. Seeds (nm_mesh_set_regions) may make holes of these regions. Default
+    /// Rule by which regions between segments, in 3D between facets, are inside, with
+    /// NM_EXTENT_BOUNDARY and, where there are segments or facets, NM_EXTENT_AUTO; otherwise it must
+    /// be neither NM_INTERIOR_PARITY nor NM_INTERIOR_WINDING. Seeds (nm_mesh_set_regions) may make holes of these regions. Default
     /// NM_INTERIOR_AUTO.
     pub interior: MaybeUninit<Interior>,
-    /// Treatment of segments that cross where no input is. Default NM_CROSSINGS_REFUSE.
+    /// Treatment of segments in 2D that cross where no input is. Default NM_CROSSINGS_REFUSE.
     pub crossings: MaybeUninit<Crossings>,
+    /// Angle from flat, in degrees, up to which triangles of nm_mesh_set_triangles that share an
+    /// edge and have one marker are one facet, and up to which the vertices of a facet may be off
+    /// its plane. The more, the fewer edges of a surface with nearly flat ones must be edges of the
+    /// mesh, and the fewer vertices it has. In 3D only. In [0, 10], default 0: exactly flat, or as
+    /// far from it as roundings of the coordinates explain.
+    pub coplanar: f64,
     /// Sizes: the length that no edge exceeds of simplices that meet the box of the inputs (the
     /// least and largest of their coordinates on each axis); their circumradius is at most that of
     /// the regular simplex with such edges. Outside the box simplices grow as fast as quality_bound
@@ -211,7 +217,7 @@ unsafe impl Versioned for nm_options {
     }
 }
 
-const _: () = assert!(size_of::<nm_options>() == 12 * 4 + 14 * 8 + 4 * size_of::<usize>());
+const _: () = assert!(size_of::<nm_options>() == 12 * 4 + 15 * 8 + 4 * size_of::<usize>());
 
 /// Sizes of a mesh. Before nm_run: the distinct inputs as vertices, no simplices, no domains.
 #[allow(non_camel_case_types)]
@@ -233,6 +239,10 @@ pub struct nm_counts {
     pub simplices: u64,
     /// Domains of the hierarchy, the root included; 0 for NM_ALGORITHM_DELAUNAY.
     pub domains: u64,
+    /// Edges of nm_mesh_get_segments, which segments and, in 3D, the edges of facets have become.
+    pub segment_edges: u64,
+    /// Triangles of nm_mesh_get_facet_triangles, which facets have become.
+    pub facet_triangles: u64,
 }
 
 // SAFETY: repr(C), begins with a u32, no padding (checked below), numbers only.
@@ -240,7 +250,7 @@ unsafe impl Versioned for nm_counts {
     const TYPE: &'static str = "nm_counts";
 }
 
-const _: () = assert!(size_of::<nm_counts>() == 2 * 4 + 5 * 8);
+const _: () = assert!(size_of::<nm_counts>() == 2 * 4 + 7 * 8);
 
 /// Numbers of elements that the file of a mesh or a surface has beside its points, and the nm_mesh
 /// that was made of it has not. A mesh is made of the points.
@@ -346,8 +356,8 @@ pub struct nm_quality {
     /// Worst circumradius over shortest edge of the simplices without a vertex on the hull.
     /// NM_CRITERION_RADIUS_EDGE bounds this ratio for every simplex of a well-spaced mesh, those at
     /// the hull included, and in a hierarchical mesh for the simplices with all vertices in one
-    /// domain. Of a domain that segments bound and that is cut out, all simplices count but those
-    /// that a small angle between segments forces.
+    /// domain. Of a domain that segments or facets bound and that is cut out, all simplices count
+    /// but those that a small angle between them forces, and flat ones.
     pub worst_radius_edge: f64,
     /// Smallest angle (2D) or dihedral angle (3D and more), in degrees, of the simplices without a
     /// vertex on the hull.
@@ -364,15 +374,20 @@ pub struct nm_quality {
     /// Cells with a larger aspect, or simplices with a larger ratio, than the bound, where it gave
     /// way to the angle (NM_GIVES_WAY_BOUND). The figures above have them.
     pub beyond_bound: u64,
-    /// Triangles beyond the bound that a small angle between segments forces; nothing can mend
-    /// them, and worst_radius_edge and min_angle_degrees leave them out.
+    /// Simplices beyond the bound that a small angle between segments or facets forces; nothing can
+    /// mend them, and worst_radius_edge and min_angle_degrees leave them out.
     pub forced: u64,
-    /// Smallest angle of the forced triangles, in degrees; 0 if there are none.
+    /// Smallest angle (2D) or dihedral angle (3D) of the forced simplices, in degrees; 0 if there
+    /// are none.
     pub least_forced_angle_degrees: f64,
     /// Triangles with an angle below nm_options.min_angle, or below what NM_CRITERION_RADIUS_EDGE
     /// promises in 2D, which nothing forces: beside cages in hierarchical meshes, which break the
     /// angle, and at precision-limited vertices. 0 where no angle was promised, and above 2D.
     pub below_min_angle: u64,
+    /// Tetrahedra with all vertices on one facet, which are flat but for the roundings of vertices
+    /// and, with nm_options.coplanar, for its bends: four of them on a circle may be one. They belong
+    /// to the facet, and the figures above leave them out.
+    pub flat: u64,
 }
 
 // SAFETY: repr(C), begins with a u32, no padding (checked below), numbers only.
@@ -380,7 +395,7 @@ unsafe impl Versioned for nm_quality {
     const TYPE: &'static str = "nm_quality";
 }
 
-const _: () = assert!(size_of::<nm_quality>() == 2 * 4 + 13 * 8);
+const _: () = assert!(size_of::<nm_quality>() == 2 * 4 + 14 * 8);
 
 /// Statistics of the last nm_run. "Definition" and "Theorem" are those of the paper.
 #[allow(non_camel_case_types)]

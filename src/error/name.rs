@@ -27,6 +27,8 @@ macro_rules! declare_names {
             Interpolation,
             /// Point of a region or hole, by its number among all regions.
             Seed(u32),
+            /// Triangle of a surface, by its number.
+            Triangle(usize),
             /// Columns that are coordinates.
             Columns,
             /// Columns that are attributes.
@@ -69,6 +71,7 @@ impl Display for Name {
             Self::SizeAt(at) | Self::BackgroundSizeAt(at) => write!(f, "sizes[{at}]"),
             Self::Interpolation => f.write_str("method.interpolation"),
             Self::Seed(number) => write!(f, "regions[{number}].seed"),
+            Self::Triangle(at) => write!(f, "triangles[{at}]"),
             Self::Columns => f.write_str("columns"),
             Self::Attributes => f.write_str("attributes"),
             Self::SelectedDomain => f.write_str("selection.domain"),

@@ -9,12 +9,14 @@ use crate::mesh::MAX_DIM;
 use crate::mesh::attribute::rule_against;
 use std::str::FromStr;
 
-/// The columns of a file that are read. The default: the coordinates by the format's own rule, and
-/// no attributes.
+/// Parts of a file that are read. The default: the coordinates by the format's own rule, no
+/// attributes, and the segments, facets and regions that the file has.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Choice {
     pub coordinates: Columns,
     pub attributes: AttributeColumns,
+    /// True if segments, facets and regions are left out.
+    pub has_points_alone: bool,
 }
 
 impl Choice {
@@ -240,7 +242,8 @@ mod tests {
             "" => Columns::default(),
             _ => columns.parse()?,
         };
-        let choice = Choice { coordinates, attributes: attributes.parse()? };
+        let attributes = attributes.parse()?;
+        let choice = Choice { coordinates, attributes, has_points_alone: false };
         read_table(&mut text.as_bytes(), format, &choice)
     }
 

@@ -44,14 +44,16 @@ pub enum Format {
     /// counts, the vertices, then the simplices as cells of d + 1 indices; tetrahedra are not
     /// polygons, and an `OFF` that lists them as such would be read wrongly.
     ///
-    /// Read: the vertices of `OFF` and `nOFF`, one per line; faces are checked and left out.
+    /// Read: the vertices of `OFF` and `nOFF`, one per line. The faces of `OFF` are facets, those of
+    /// two vertices segments; those of `nOFF` are checked and left out.
     Off = 5,
     /// Stanford's `.ply`, little-endian binary with doubles: the vertices with `kind` and `domain`,
     /// and triangles. In the plane these are the mesh (z = 0); in dimension 3 they are the mesh's
     /// boundary, as the format has no tetrahedra. Dimensions 2 and 3.
     ///
     /// Read: `x`, `y` and, where it is there, `z` of the element `vertex` (so a planar mesh reads
-    /// back as points of dimension 3), from text and binary of either byte order; all else that is
+    /// back as points of dimension 3), from text and binary of either byte order, and in space the
+    /// list `vertex_indices` or `vertex_index` of the element `face` as facets; all else that is
     /// not asked for is checked as far as its size goes and dropped.
     Ply = 6,
     /// Text points, one per line, separated by whitespace or commas, but not by both in one line
@@ -77,10 +79,11 @@ pub enum Format {
     /// The hierarchy of domains and their cages as JSON (`.domains.json`). Any dimension; cannot be
     /// read. `docs/formats.md` has the fields.
     DomainsJson = 11,
-    /// Triangle's `.poly`: points, segments, holes and regions of the plane. Ids from 0 or 1; where
-    /// it promises no points, they are in the `.node` file beside. A region's label is a whole
-    /// number, its largest area becomes the edge of the equilateral triangle of that area. TetGen's
-    /// facets are refused. Cannot be written.
+    /// `.poly` of Triangle (points and segments of the plane) and of TetGen (points and facets of
+    /// space), with holes and regions. Ids from 0 or 1; where it promises no points, they are in
+    /// the `.node` file beside. A region's label is a whole number, its largest area or volume
+    /// becomes the edge of the equilateral triangle or regular tetrahedron of that measure. Cannot
+    /// be written.
     Poly = 12,
     /// GeoJSON (RFC 7946): points, lines and polygons of the plane, each position as an input and
     /// each line between two as a segment, whose marker is the number of its feature, from 1. A
@@ -89,6 +92,8 @@ pub enum Format {
     /// Well-known text (OGC 06-103r4): geometries one after another, as of [`Format::GeoJson`]; the
     /// marker is the number of the geometry, from 1. Z and M are refused. Cannot be written.
     Wkt = 14,
+    /// TetGen's `.smesh`: as its `.poly`, with facets of one polygon each. Cannot be written.
+    Smesh = 15,
 }
 
 impl Format {
@@ -110,12 +115,13 @@ impl Format {
             Some("voronoi.json") => Ok(Self::VoronoiJson),
             Some("domains.json") => Ok(Self::DomainsJson),
             Some("poly") => Ok(Self::Poly),
+            Some("smesh") => Ok(Self::Smesh),
             Some("geojson") => Ok(Self::GeoJson),
             Some("wkt") => Ok(Self::Wkt),
             _ => Err(Error::invalid(message!(
                 "{}: the extension names no known format; name one, or use .vtu, .node, .ele, \
-                     .msh, .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, .npy, .poly, .geojson, \
-                     .wkt, .voronoi.json or .domains.json",
+                     .msh, .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, .npy, .poly, .smesh, \
+                     .geojson, .wkt, .voronoi.json or .domains.json",
                 path.display()
             ))),
         }
@@ -136,7 +142,8 @@ impl Format {
             Self::Npy => "NumPy",
             Self::VoronoiJson => "the Voronoi diagram",
             Self::DomainsJson => "the hierarchy of domains",
-            Self::Poly => "Triangle's .poly",
+            Self::Poly => "Triangle's and TetGen's .poly",
+            Self::Smesh => "TetGen's .smesh",
             Self::GeoJson => "GeoJSON",
             Self::Wkt => "WKT",
         }
@@ -153,6 +160,7 @@ impl Format {
             | Self::VoronoiJson
             | Self::DomainsJson
             | Self::Poly
+            | Self::Smesh
             | Self::GeoJson
             | Self::Wkt => false,
         }
@@ -177,7 +185,7 @@ impl Format {
             Error::invalid(message)
         })?;
         match resolved {
-            Self::Poly | Self::GeoJson | Self::Wkt => {
+            Self::Poly | Self::Smesh | Self::GeoJson | Self::Wkt => {
                 Err(resolved.read_only().within(&path.display()))
             }
             _ => Ok(resolved),
@@ -201,7 +209,7 @@ impl Format {
             let message = message!(
                 "{}: the extension names no format that can be read; name the format, or use \
                  .node, .ele, .msh, .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, .npy, .poly, \
-                 .geojson or .wkt",
+                 .smesh, .geojson or .wkt",
                 path.display()
             );
             Error::invalid(message)
@@ -213,7 +221,7 @@ impl Format {
         match self {
             Self::Vtu | Self::VoronoiJson | Self::DomainsJson => Err(Error::invalid(message!(
                 "{} cannot be read, only written; points are read from TetGen, Gmsh, Medit, \
-                     OFF, PLY, XYZ, CSV, NumPy, .poly, GeoJSON and WKT files",
+                     OFF, PLY, XYZ, CSV, NumPy, .poly, .smesh, GeoJSON and WKT files",
                 self.name()
             ))),
             _ => Ok(()),
@@ -240,18 +248,16 @@ fn surface_at(path: &Path) -> Option<Error> {
     let extension = path.extension()?.to_str()?.to_ascii_lowercase();
     let (_, name) = SURFACES.iter().find(|(known, _)| *known == extension)?;
     let message = message!(
-        "{}: {name} is a surface, and facets in space are not meshed yet; for its points alone \
-         convert it to .off, .ply or .xyz",
+        "{}: {name} is a surface in a format that is not read yet; convert it to .off or .ply",
         path.display()
     );
     Some(Error::invalid(message).of_content())
 }
 
 /// Extensions of files of surfaces, and what messages call such a file.
-const SURFACES: [(&str, &str); 6] = [
+const SURFACES: [(&str, &str); 5] = [
     ("stl", "an STL file"),
     ("obj", "an OBJ file"),
-    ("smesh", "a file of TetGen's facets"),
     ("3mf", "a 3MF file"),
     ("gltf", "a glTF file"),
     ("glb", "a glTF file"),

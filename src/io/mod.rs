@@ -4,13 +4,14 @@
 //! |---|---|---|---|
 //! | [`Format::Vtu`] | `.vtu` | | mesh, d = 2, 3 |
 //! | [`Format::TetgenNode`] | `.node`, `.ele` | points | mesh |
-//! | [`Format::Poly`] | `.poly` | points, segments, regions, d = 2 | |
+//! | [`Format::Poly`] | `.poly` | points, segments (d = 2), facets (d = 3), regions | |
+//! | [`Format::Smesh`] | `.smesh` | points, facets, regions, d = 3 | |
 //! | [`Format::GeoJson`] | `.geojson` | points, segments, d = 2 | |
 //! | [`Format::Wkt`] | `.wkt` | points, segments, d = 2 | |
 //! | [`Format::Gmsh`] | `.msh` | points, d = 2, 3 | mesh, d = 2, 3 |
 //! | [`Format::Medit`] | `.mesh` | points, d = 2, 3 | mesh, d = 2, 3 |
-//! | [`Format::Off`] | `.off` | points | mesh |
-//! | [`Format::Ply`] | `.ply` | points, d = 2, 3 | mesh, d = 2; boundary, d = 3 |
+//! | [`Format::Off`] | `.off` | points, faces | mesh |
+//! | [`Format::Ply`] | `.ply` | points, d = 2, 3; faces, d = 3 | mesh, d = 2; boundary, d = 3 |
 //! | [`Format::Xyz`] | `.xyz`, `.txt`, `.xy`, `.pts` | points | points |
 //! | [`Format::Csv`] | `.csv` | points | points |
 //! | [`Format::Npy`] | `.npy` | points | points |
@@ -51,6 +52,7 @@ mod npy;
 mod off;
 mod ply;
 mod poly;
+mod polygons;
 mod replace;
 #[cfg(test)]
 pub(crate) mod samples;
@@ -99,7 +101,7 @@ impl PointCloud {
 /// # Errors
 /// - `Io`: no such file, a directory, or reading fails;
 /// - `InvalidArgument`: a format that cannot be read, or an extension that names none or a format
-///   of surfaces (STL, OBJ, ...);
+///   of surfaces that is not read (STL, OBJ, ...);
 /// - `Format`: not a number, a number too large for a double, rows of differing length, no points,
 ///   counts and ids that do not fit the data, a file that ends early or goes on after its end, a
 ///   line over 1 MiB, NUL bytes, text that is not UTF-8, a variant of the format that is not read;
@@ -233,20 +235,30 @@ fn read_named(
     if has_points_alone || matches!(format, Format::GeoJson | Format::Wkt) {
         choice.attributes.require_none(format.name())?;
     }
-    match format {
+    let mut table = match format {
         Format::Xyz => xyz::read(text::Lines::new(input), choice, path),
         Format::Csv => csv::read(text::Lines::with_quotes(input), choice),
         Format::Npy => npy::read(input, choice),
         Format::Ply => ply::read(input, &choice.attributes),
         Format::TetgenNode => tetgen::read(text::Lines::new(input), &choice.attributes),
-        Format::Poly => poly::read(text::Lines::new(input), &choice.attributes, path),
+        Format::Poly | Format::Smesh => {
+            let grammar = match format {
+                Format::Poly => poly::Grammar::Poly,
+                _ => poly::Grammar::Smesh,
+            };
+            poly::read(text::Lines::new(input), grammar, &choice.attributes, path)
+        }
         Format::GeoJson => geojson::read(input),
         Format::Wkt => wkt::read(input),
         Format::Gmsh => gmsh::read(text::Lines::new(input)),
         Format::Medit => medit::read(text::Lines::new(input)),
         Format::Off => off::read(text::Lines::new(input)),
         _ => Err(auto_without_path()),
+    }?;
+    if choice.has_points_alone {
+        table.leave_outline();
     }
+    Ok(table)
 }
 
 /// Writes `mesh` to `path`, all or nothing: to a new file beside it that is flushed, synchronised
@@ -384,7 +396,7 @@ impl<'a> Content<'a> {
             Format::Npy => Ok(Self::Npy(mesh, attributes)),
             Format::VoronoiJson => Ok(Self::Voronoi(mesh, triangulation()?)),
             Format::DomainsJson => triangulation().map(Self::Domains),
-            Format::Poly | Format::GeoJson | Format::Wkt => Err(format.read_only()),
+            Format::Poly | Format::Smesh | Format::GeoJson | Format::Wkt => Err(format.read_only()),
         }
     }
 

@@ -1,8 +1,10 @@
 //! Geomview's OFF (three coordinates, polygons) and nOFF (any dimension).
 
-use super::Table;
+use super::polygons::Polygons;
 use super::text::{Line, Lines, Points, write_point};
-use crate::error::Result;
+use super::values::{Outline, Table};
+use crate::error::{ErrorKind, Result};
+use crate::memory::TryGrow;
 use crate::mesh::{LeftOut, Triangulation};
 use std::io::{self, Write};
 
@@ -13,18 +15,25 @@ pub(super) fn read(mut lines: Lines<'_>) -> Result<Table> {
         let line = lines.require(|| format!("{index} of {} vertices", header.vertices))?;
         points.add(&line, line.words())?;
     }
-    let mut left_out = LeftOut::default();
+    let (mut left_out, mut outline) = (LeftOut::default(), Outline::default());
+    let (mut polygons, mut face) = (Polygons::default(), Vec::new());
     for index in 0..header.faces {
         let line = lines.require(|| format!("{index} of {} faces", header.faces))?;
-        let size = checked_face(&line, header.vertices)?;
-        left_out.add(header.dimension_of(size), 1);
+        read_face(&line, header.vertices, &mut face)?;
+        match header.is_surface {
+            true => polygons.add_face(&face, &mut outline)?,
+            false => left_out.add(header.dimension_of(face.len() as u64), 1),
+        }
     }
+    outline.facets = polygons.surface();
     let promised = format!("the {} vertices and {} faces", header.vertices, header.faces);
     lines.require_end(&promised)?;
-    Ok(Table { left_out, ..Table::new(points.finish()?, Vec::new()) })
+    Ok(Table { left_out, outline, ..Table::new(points.finish()?, Vec::new()) })
 }
 
 struct Header {
+    /// True for `OFF`, whose faces are polygons in space.
+    is_surface: bool,
     /// True where the file lists cells (nOFF above the plane), false where it lists polygons.
     has_cells: bool,
     dim: usize,
@@ -57,7 +66,13 @@ impl Header {
         }
         let first = usize::from(names[0] == DIMENSION);
         let has_cells = first == 1 && dim > 2;
-        Ok(Self { has_cells, dim, vertices: values[first], faces: values[first + 1] })
+        Ok(Self {
+            is_surface: first == 0,
+            has_cells,
+            dim,
+            vertices: values[first],
+            faces: values[first + 1],
+        })
     }
 
     /// Returns the dimension of a face with `size` vertices.
@@ -85,14 +100,15 @@ fn names_after(line: &Line<'_>, keyword: &str) -> Result<&'static [&'static str]
     }
 }
 
-/// Checks a face (the number of its vertices, their ids, and any colour) and returns that number.
-fn checked_face(line: &Line<'_>, vertices: u64) -> Result<u64> {
+/// Reads a face (the number of its vertices, their ids, and any colour) into the list of its
+/// vertices.
+fn read_face(line: &Line<'_>, vertices: u64, face: &mut Vec<u32>) -> Result<()> {
+    face.clear();
     let mut words = line.words();
-    let mut size = 0;
+    let mut missing = 0;
     if let Some((column, word)) = words.next() {
-        size = line.integer(column, word, "number of vertices")?;
+        missing = line.integer(column, word, "number of vertices")?;
     }
-    let mut missing = size;
     for (column, word) in words {
         if missing == 0 {
             line.skip_number(column, word)?;
@@ -101,12 +117,14 @@ fn checked_face(line: &Line<'_>, vertices: u64) -> Result<u64> {
         let vertex = line.integer(column, word, "vertex id")?;
         if vertex >= vertices {
             let message = format!("vertex id {vertex} of {vertices} vertices");
-            return Err(line.error(message).of_content());
+            return Err(line.field_error(ErrorKind::Format, column, message).of_content());
         }
+        // There are fewer vertices than ids of 32 bits, or the mesh will refuse them.
+        face.try_push(u32::try_from(vertex).unwrap_or(u32::MAX))?;
         missing -= 1;
     }
     match missing {
-        0 => Ok(size),
+        0 => Ok(()),
         _ => Err(line.error(format!("the face ends before its last {missing} vertices"))),
     }
 }
@@ -135,7 +153,8 @@ pub(super) fn write(triangulation: &Triangulation, out: &mut dyn Write) -> io::R
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Format, PointCloud, read, samples, write};
+    use super::super::{Choice, Format, PointCloud, Table, read, read_table, samples, write};
+    use crate::error::ErrorKind;
 
     #[test]
     fn reads_headers_however_they_are_spread() {
@@ -146,6 +165,54 @@ mod tests {
         {
             let text = format!("{header}\n{data}");
             assert_eq!(read(&mut text.as_bytes(), Format::Off).unwrap(), expected, "{header:?}");
+        }
+    }
+
+    fn table(text: &str, has_points_alone: bool) -> crate::error::Result<Table> {
+        let choice = Choice { has_points_alone, ..Choice::default() };
+        read_table(&mut text.as_bytes(), Format::Off, &choice)
+    }
+
+    #[test]
+    fn faces_are_triangles_or_facets() {
+        let points = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n";
+        let read = |faces: &str| {
+            let count = faces.lines().count();
+            table(&format!("OFF\n5 {count} 0\n{points}{faces}"), false).unwrap()
+        };
+        let triangles = read("3 0 1 4\n3 1 2 4 255 0 0\n2 2 3\n1 4\n0\n");
+        let facets = &triangles.outline.facets;
+        assert!(facets.are_triangles && facets.count() == 2);
+        assert_eq!(facets.inputs, [0, 1, 4, 1, 2, 4]);
+        assert_eq!(triangles.outline.segments, [[2, 3]]);
+        assert!(triangles.left_out.is_empty());
+        let polygons = read("3 0 1 4\n4 3 2 1 0\n").outline.facets;
+        assert!(!polygons.are_triangles);
+        assert_eq!(polygons.loops(1).collect::<Vec<_>>(), [[3, 2, 1, 0]]);
+        // Elements of a mesh are no surface.
+        let cells = table(&format!("nOFF\n3\n5 2 0\n{points}4 0 1 2 4\n3 0 1 2\n"), false).unwrap();
+        assert_eq!((cells.outline.facets.count(), cells.left_out.cells), (0, 1));
+        assert_eq!(cells.left_out.faces, 1);
+        let alone = table(&format!("OFF\n5 2 0\n{points}3 0 1 4\n2 0 1\n"), true).unwrap();
+        assert_eq!((alone.left_out.faces, alone.left_out.edges), (1, 1));
+        assert_eq!(alone.outline.facets.count(), 0);
+    }
+
+    #[test]
+    fn what_is_wrong_with_a_face_is_named() {
+        let points = "OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n";
+        for (face, message, is_of_content) in [
+            ("3 0 1 3", "line 6, column 4: vertex id 3 of 3 vertices", true),
+            ("3 0 1", "line 6: the face ends before its last 1 vertices", false),
+            ("3 0 1 -2", "line 6, column 4: \"-2\" is no vertex id", false),
+            ("x", "line 6, column 1: \"x\" is no number of vertices", false),
+            ("3 0 1 2 red", "line 6, column 5: \"red\" is not a number", false),
+            ("", "the file ends after line 5: 0 of 1 faces", false),
+        ] {
+            let error = table(&format!("{points}{face}"), false).unwrap_err();
+            assert_eq!(error.kind(), ErrorKind::Format);
+            assert_eq!(error.message(), message);
+            assert_eq!(error.is_of_content(), is_of_content, "{message}");
         }
     }
 

@@ -4,7 +4,7 @@ use super::PointCloud;
 use super::text::Line;
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::TryGrow;
-use crate::mesh::{Attribute, LeftOut, Mesh, Region};
+use crate::mesh::{Attribute, Facets, LeftOut, Mesh, Region};
 
 /// Content of a file that was read: points, and values of attributes at them.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,9 +17,11 @@ pub struct Table {
     pub left_out: LeftOut,
 }
 
-/// Segments between the points, and regions: none in most formats.
+/// Segments and facets between the points, and regions: none in most formats.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Outline {
+    /// Facets in space, or the triangles of a surface.
+    pub facets: Facets,
     /// Segments, two points each.
     pub segments: Vec<[u32; 2]>,
     /// Markers, one for each segment.
@@ -34,7 +36,14 @@ impl Table {
         Self { points, attributes, outline: Outline::default(), left_out: LeftOut::default() }
     }
 
-    /// Makes a mesh of the points with their attributes, segments and regions. `is_extended` says
+    /// Leaves the points and their attributes alone; segments and facets count as left out.
+    pub(super) fn leave_outline(&mut self) {
+        let Outline { facets, segments, .. } = std::mem::take(&mut self.outline);
+        self.left_out.add(1, segments.len() as u64);
+        self.left_out.add(2, facets.count() as u64);
+    }
+
+    /// Makes a mesh of the points with their attributes, segments, facets and regions. `is_extended` says
     /// how the attributes go on at other vertices, as in [`Mesh::set_attribute`].
     ///
     /// # Errors
@@ -46,7 +55,10 @@ impl Table {
         for Attribute { name, components, values, .. } in &self.attributes {
             mesh.set_attribute(name, *components, values, is_extended)?;
         }
-        let Outline { segments, markers, sides, regions } = &self.outline;
+        let Outline { facets, segments, markers, sides, regions } = &self.outline;
+        if facets.count() > 0 {
+            mesh.replace_facets(facets.clone());
+        }
         if !segments.is_empty() {
             let set = mesh.set_segments(segments.as_flattened(), Some(markers));
             set.map_err(Error::of_content)?;

@@ -4,6 +4,7 @@
 use super::{ArrangedFacet, Boxed, FacetTriangle, Inputs, Mesh, Triangulation};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, Lists, collected, copied, filled, with_capacity};
+use std::ops::RangeInclusive;
 
 /// Largest number of segments that 32-bit ids can tell apart.
 const MAX_SEGMENTS: usize = u32::MAX as usize - 1;
@@ -229,7 +230,7 @@ impl Segments {
 
     /// Makes segments of `ends`, two inputs for each; without `markers` every segment has 0.
     pub(super) fn new(inputs: &Inputs, ends: &[u32], markers: Option<&[i32]>) -> Result<Self> {
-        check_plane(inputs, "segments")?;
+        check_dimension(inputs, "segments", 2..=3)?;
         let refuse = |message| Err(Error::new(ErrorKind::InvalidArgument, message));
         if ends.len() % 2 != 0 {
             return refuse(message!(
@@ -242,24 +243,15 @@ impl Segments {
             let message = message!("{count} segments; at most {MAX_SEGMENTS} fit 32-bit ids");
             return Err(Error::new(ErrorKind::Capacity, message));
         }
-        if markers.is_some_and(|markers| markers.len() != count) {
-            return refuse(message!(
-                "markers has length {}; it must be that of the segments, {count}",
-                markers.map_or(0, <[i32]>::len)
-            ));
-        }
+        check_markers(markers, "segments", count)?;
         let mut own = with_capacity(count)?;
         for (at, ends) in ends.chunks_exact(2).enumerate() {
             let ends = [ends[0], ends[1]];
             check_segment(inputs, at, ends)?;
             own.push(ends);
         }
-        let mut own_markers = with_capacity(count)?;
-        match markers {
-            Some(markers) => own_markers.extend_from_slice(markers),
-            None => own_markers.resize(count, 0),
-        }
-        Ok(Self { inputs: own, markers: own_markers, sides: Vec::new() })
+        let markers = markers_or_zeros(markers, count)?;
+        Ok(Self { inputs: own, markers, sides: Vec::new() })
     }
 }
 
@@ -276,7 +268,7 @@ impl Mesh {
 
 /// Returns a copy of the regions after checking them.
 pub(super) fn checked_regions(inputs: &Inputs, regions: &[Region]) -> Result<Vec<Region>> {
-    check_plane(inputs, "regions")?;
+    check_dimension(inputs, "regions", 2..=3)?;
     for (at, Region { seed, max_edge, .. }) in regions.iter().enumerate() {
         if let Some(axis) = seed.iter().position(|x| !x.is_finite()) {
             let message = message!(
@@ -285,6 +277,13 @@ pub(super) fn checked_regions(inputs: &Inputs, regions: &[Region]) -> Result<Vec
                 seed[axis]
             );
             return Err(Error::new(ErrorKind::NonFinite, message));
+        }
+        if inputs.dim() == 2 && seed[2] != 0.0 {
+            let message = message!(
+                "regions[{at}].seed has the third coordinate {}; in 2D it must be 0",
+                seed[2]
+            );
+            return Err(Error::new(ErrorKind::InvalidArgument, message));
         }
         if !(0.0..=f64::MAX).contains(max_edge) {
             let message =
@@ -295,15 +294,34 @@ pub(super) fn checked_regions(inputs: &Inputs, regions: &[Region]) -> Result<Vec
     Ok(copied(regions)?)
 }
 
-fn check_plane(inputs: &Inputs, what: &str) -> Result<()> {
-    match inputs.dim() {
-        2 => Ok(()),
-        dim => {
-            let message =
-                message!("the mesh has dimension {dim}; {what} are for 2D, until facets come");
-            Err(Error::new(ErrorKind::InvalidArgument, message))
-        }
+/// Fails if inputs of this dimension have no such things as `what`.
+pub(super) fn check_dimension(
+    inputs: &Inputs,
+    what: &str,
+    dimensions: RangeInclusive<usize>,
+) -> Result<()> {
+    let dim = inputs.dim();
+    if dimensions.contains(&dim) {
+        return Ok(());
     }
+    let home = if dimensions.contains(&2) { "2D and 3D" } else { "3D" };
+    Err(Error::invalid(message!("the mesh has dimension {dim}; {what} are for {home}")))
+}
+
+/// Fails if there are markers, but not one for each of `what`.
+pub(super) fn check_markers(markers: Option<&[i32]>, what: &str, count: usize) -> Result<()> {
+    match markers {
+        Some(markers) if markers.len() != count => Err(Error::invalid(message!(
+            "markers has length {}; it must be that of the {what}, {count}",
+            markers.len()
+        ))),
+        _ => Ok(()),
+    }
+}
+
+/// Returns a copy of the markers, or as many zeros.
+pub(super) fn markers_or_zeros(markers: Option<&[i32]>, count: usize) -> AllocResult<Vec<i32>> {
+    markers.map_or_else(|| filled(count, 0), copied)
 }
 
 fn check_segment(inputs: &Inputs, at: usize, ends: [u32; 2]) -> Result<()> {
@@ -407,13 +425,26 @@ mod tests {
     }
 
     #[test]
-    fn boundaries_are_for_the_plane() {
-        let mut mesh = Mesh::new(3, 2, &[0.0, 0.0, 0.0, 1.0, 0.0, 0.0], 0).unwrap();
-        let (kind, message) = refusal(mesh.set_segments(&[0, 1], None));
-        let rule = "the mesh has dimension 3; segments are for 2D, until facets come";
+    fn segments_and_regions_are_for_two_and_three_dimensions() {
+        let mesh = |dim: usize| {
+            let points: Vec<f64> = (0..2 * dim).map(|at| at as f64).collect();
+            Mesh::new(dim, 2, &points, 0).unwrap()
+        };
+        let region = Region { seed: [0.5, 0.5, 0.25], ..Region::default() };
+        let mut space = mesh(3);
+        space.set_segments(&[0, 1], Some(&[7])).unwrap();
+        space.set_regions(&[region]).unwrap();
+        assert_eq!((&*space.segments().inputs, space.regions()), (&[[0, 1]][..], &[region][..]));
+        let (kind, message) = refusal(mesh(2).set_regions(&[Region::default(), region]));
+        let rule = "regions[1].seed has the third coordinate 0.25; in 2D it must be 0";
         assert_eq!((kind, &*message), (ErrorKind::InvalidArgument, rule));
-        let (kind, message) = refusal(mesh.set_regions(&[]));
-        let rule = "the mesh has dimension 3; regions are for 2D, until facets come";
-        assert_eq!((kind, &*message), (ErrorKind::InvalidArgument, rule));
+        for dim in [4, 8] {
+            let (kind, message) = refusal(mesh(dim).set_segments(&[0, 1], None));
+            let rule = format!("the mesh has dimension {dim}; segments are for 2D and 3D");
+            assert_eq!((kind, message), (ErrorKind::InvalidArgument, rule));
+            let (kind, message) = refusal(mesh(dim).set_regions(&[]));
+            let rule = format!("the mesh has dimension {dim}; regions are for 2D and 3D");
+            assert_eq!((kind, message), (ErrorKind::InvalidArgument, rule));
+        }
     }
 }

@@ -9,12 +9,14 @@
 //! 6. [`rounds`]: how inputs come into the mesh.
 //! 7. [`refinement`]: FINISHMESH, the final refinement, and refinement by distance and size.
 //! 8. [`segments`]: edges that the mesh conforms to, in the plane, and the regions between them.
+//! 9. [`facets`]: faces that the mesh conforms to, in space.
 //! 9. [`slivers`]: tetrahedra with small dihedral angles are mended.
 //! 10. [`partitions`]: large meshes made in partitions, on several threads.
 //! 11. [`result`]: the arrays of the result.
 //! 12. [`distributed`]: partitions on several processes, of meshes that none of them has all of.
 
 pub(crate) mod distributed;
+mod facets;
 mod insertion;
 mod instruments;
 mod operations;
@@ -40,14 +42,14 @@ use std::time::Instant;
 
 /// Steps of a run that only one dimension has.
 pub(in crate::netmesh) trait Dimension {
-    /// Makes the mesh conform to segments, which are in the plane.
-    fn conform_in_plane(&mut self, _: &Arrangement, _: &mut Cavity) -> Result<()> {
+    /// Makes the mesh conform to segments and facets, which are in the plane or in space.
+    fn conform_to(&mut self, _: &Arrangement, _: &mut Cavity) -> Result<()> {
         unreachable!("segments of other dimensions are refused when they are set")
     }
 
-    /// Removes vertices beside segments that the bound does not need.
+    /// Removes vertices beside segments of the plane that the bound does not need.
     fn coarsen_in_plane(&mut self) -> Result<()> {
-        unreachable!("segments of other dimensions are refused when they are set")
+        Ok(())
     }
 
     /// Mends slivers, which only tetrahedra are, if the caller asks for it.
@@ -57,7 +59,7 @@ pub(in crate::netmesh) trait Dimension {
 }
 
 impl Dimension for Mesher<'_, '_, 2> {
-    fn conform_in_plane(&mut self, arrangement: &Arrangement, cavity: &mut Cavity) -> Result<()> {
+    fn conform_to(&mut self, arrangement: &Arrangement, cavity: &mut Cavity) -> Result<()> {
         self.conform(arrangement, cavity)
     }
 
@@ -67,6 +69,10 @@ impl Dimension for Mesher<'_, '_, 2> {
 }
 
 impl Dimension for Mesher<'_, '_, 3> {
+    fn conform_to(&mut self, arrangement: &Arrangement, cavity: &mut Cavity) -> Result<()> {
+        self.conform_to_facets(arrangement, cavity)
+    }
+
     fn mend_in_space(&mut self) -> Result<()> {
         match self.state.parameters.min_dihedral > 0.0 {
             true => self.remove_slivers(),
@@ -165,7 +171,7 @@ where
             return self.insert_rounds(&mut cavity);
         }
         match arrangement {
-            Some(arrangement) => self.conform_in_plane(arrangement, &mut cavity)?,
+            Some(arrangement) => self.conform_to(arrangement, &mut cavity)?,
             None => self.mesh_points(&mut cavity)?,
         }
         self.refine_finally(&mut cavity)?;

@@ -25,6 +25,7 @@
 //! group uses another one only through its front page, and `exact` uses no other group.
 
 mod affine;
+mod double_double;
 mod exact;
 mod filters;
 mod laplace;
@@ -41,12 +42,14 @@ pub(crate) mod testing;
 mod timing;
 
 pub use affine::{AffineBasis, affine_basis};
+pub(crate) use double_double::DoubleDouble;
 pub(crate) use exact::{Column, Edges};
 pub(crate) use exact::{Lines, compare_crossings, compare_to_crossing, crossing};
 pub use exact::{ScaledCenter, circumcenter_exact, in_ball_exact, orientation_exact};
 pub use filters::{Circumball, in_ball, orientation, orientation_filtered};
 pub(crate) use filters::{F64x2, Hyperplane, Real};
 pub use lengths::{distance, norm, shortest_distance};
+pub(crate) use power::scale_by_power;
 pub use random::{SplitMix, mixed};
 pub use segment::{in_diametral_ball, offset_from_line, point_between};
 pub use sign::Sign;

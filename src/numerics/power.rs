@@ -22,7 +22,7 @@ pub(super) const fn power_of_two(exponent: i32) -> f64 {
 
 /// Returns `value * 2^exponent` for any exponent, rounded; within 2^-1074 where the result is
 /// subnormal.
-pub(super) fn scale_by_power(value: f64, exponent: i64) -> f64 {
+pub(crate) fn scale_by_power(value: f64, exponent: i64) -> f64 {
     // Finite doubles span 2^-1074 to 2^1024: beyond 2200 every nonzero value is over or under.
     let mut left = exponent.clamp(-2200, 2200) as i32;
     let mut scaled = value;

@@ -38,23 +38,24 @@ pub enum Algorithm {
     Delaunay = 2,
 }
 
-/// Region of the plane: how far the result of a run reaches, or which simplices a selection has.
+/// Region: how far the result of a run reaches, or which simplices a selection has.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(i32)]
 pub enum Extent {
-    /// For a run [`Extent::Boundary`] where segments enclose something by the option interior,
-    /// otherwise [`Extent::All`]; curves that are not closed, where that option asks for closed
-    /// ones, enclose nothing. For a selection [`Extent::All`].
+    /// For a run [`Extent::Boundary`] where segments, or facets in space, enclose something by the
+    /// option interior, otherwise [`Extent::All`]; curves and surfaces that are not closed, where
+    /// that option asks for closed ones, enclose nothing. For a selection [`Extent::All`].
     #[default]
     Auto = 0,
     /// Everywhere, to the cage round all inputs.
     All = 1,
-    /// The convex hull of the inputs.
+    /// The convex hull of the inputs. For runs in 2D alone.
     Hull = 2,
-    /// The least box that holds the inputs, its sides along the axes.
+    /// The least box that holds the inputs, its sides along the axes. For runs in 2D alone.
     Box = 3,
-    /// The region that segments enclose, without holes: all that cannot be reached from the hull
-    /// without crossing a segment. For runs alone; the segments are set before.
+    /// The region that segments, or facets in space, enclose, without holes: all that cannot be
+    /// reached from the hull without crossing one. For runs alone; segments and facets are set
+    /// before.
     Boundary = 4,
 }
 
@@ -85,7 +86,8 @@ pub enum Criterion {
     RadiusEdge = 1,
 }
 
-/// Treatment of segments that cross where no input is.
+/// Treatment of segments in the plane that cross where no input is. In space neither segments nor
+/// facets may cross.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(i32)]
 pub enum Crossings {
@@ -105,17 +107,21 @@ pub enum Interior {
     /// [`Interior::Seeds`] otherwise. The options of the finished run tell which it was.
     #[default]
     Auto = 0,
-    /// All that cannot be reached from outside without crossing a segment is inside.
+    /// All that cannot be reached from outside without crossing a segment, in space a facet, is
+    /// inside.
     Seeds = 1,
     /// Regions are inside into which a path from outside crosses an odd number of segments (the
     /// even-odd rule): rings within rings are alternately inside and outside. Every input must be
     /// an end of an even number of segments. Of a file of polygons only the sides of these count,
-    /// not its lines.
+    /// not its lines. In space facets stand for segments, and every edge must have an even number
+    /// of them.
     Parity = 2,
     /// Regions are inside whose winding number is not 0 (the nonzero rule): the number of segments
     /// that a path from outside crosses from their right to their left, less that from their left
     /// to their right. Every input must be the first end of as many segments as it is the second
-    /// end. Of a file of polygons only the sides of these count.
+    /// end. Of a file of polygons only the sides of these count. In space facets stand for
+    /// segments, their left is where their normal does not point to, and they must run through
+    /// every edge as often one way as the other.
     Winding = 3,
 }
 
@@ -212,18 +218,20 @@ choices! {
         Bound "bound": "some cells, or tetrahedra, go beyond the bound",
     }
     Extent "extent" {
-        Auto "auto": "boundary where segments enclose something, otherwise all",
+        Auto "auto": "boundary where segments or facets enclose something, otherwise all",
         All "all": "all of the mesh, to the cage round all inputs",
-        Hull "hull": "the convex hull of the inputs",
-        Box "box": "the bounding box of the inputs",
-        Boundary "boundary": "the region that segments enclose",
+        Hull "hull": "the convex hull of the inputs, in 2D",
+        Box "box": "the bounding box of the inputs, in 2D",
+        Boundary "boundary": "the region that segments or facets enclose",
     }
     Interior "interior" {
         Auto "auto": "parity for the polygons of a GeoJSON or WKT file, seeds otherwise",
-        Seeds "seeds": "all that cannot be reached from outside without crossing a segment",
-        Parity "parity": "regions into which a path from outside crosses an odd number of segments",
-        Winding "winding": "regions whose winding number, by the directions of the segments, is \
-            not 0",
+        Seeds "seeds": "all that cannot be reached from outside without crossing a segment or \
+            facet",
+        Parity "parity": "regions into which a path from outside crosses an odd number of segments \
+            or facets",
+        Winding "winding": "regions whose winding number, by the directions of the segments or \
+            the normals of the facets, is not 0",
     }
     Crossings "crossings" {
         Refuse "refuse": "the run is refused",

@@ -54,18 +54,27 @@ both be kept; what misses it is counted.",
             Extent extent: Extent {
                 default: Extent::Auto, group: Domain, on_ranks: false,
                 kind: words::<Extent>(),
-                help: "Region that the mesh covers, in 2D; what lies beyond is cut away.",
+                help: "Region that the mesh covers; what lies beyond is cut away. In 3D auto, all or \
+boundary, above all.",
             }
             Interior interior: Interior {
                 default: Interior::Auto, group: Domain, on_ranks: false,
                 kind: words::<Interior>(),
-                help: "Rule by which regions between segments are inside, where `extent` is auto \
-or boundary; seeds may make holes of them.",
+                help: "Rule by which regions between segments, in 3D between facets, are inside, \
+where `extent` is auto or boundary; seeds may make holes of them.",
             }
             Crossings crossings: Crossings {
                 default: Crossings::Refuse, group: Domain, on_ranks: false,
                 kind: words::<Crossings>(),
-                help: "Treatment of segments that cross where no input is.",
+                help: "Treatment of segments in 2D that cross where no input is.",
+            }
+            Coplanar coplanar: f64 {
+                default: 0.0, group: Domain, on_ranks: false,
+                // Beyond that a surface that is meant to be round would become flat.
+                kind: number("DEGREES", &[constant(0.0, 0.0, 10.0)]),
+                help: "Angle from flat in degrees, in 3D, up to which triangles of a surface that \
+share an edge and have one marker are one facet, and facets may be bent; by default only as far as \
+roundings explain.",
             }
             MaxEdge max_edge: f64 {
                 default: 0.0, group: Sizes, on_ranks: false,

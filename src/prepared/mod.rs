@@ -12,7 +12,7 @@ use crate::arrays::{
 };
 use crate::error::{ErrorKind, Result};
 use crate::memory::{filled, with_capacity};
-use crate::mesh::{Attribute, Mesh, Triangulation};
+use crate::mesh::{Attribute, Intersection, Mesh, Triangulation};
 use crate::netmesh;
 use crate::options::{self, Algorithm, Options};
 use crate::query::{self, Among, Index, Values, Work};
@@ -32,6 +32,7 @@ pub struct Prepared {
     faces: Once<Faces>,
     alpha: Once<Filtration>,
     distances: Once<Filtration>,
+    intersections: Once<Vec<Intersection>>,
     kept: Kept,
 }
 
@@ -167,6 +168,14 @@ impl Prepared {
         let (result, faces) = (mesh.result()?, self.faces(mesh, threads)?);
         let index = self.index(mesh)?;
         self.distances.get_or_make(|| topology::distances(result, faces, index, threads))
+    }
+
+    /// Returns the intersections of the facets and segments that the mesh was given last, in space.
+    ///
+    /// # Errors
+    /// Errors of [`Mesh::intersections`].
+    pub fn intersections(&self, mesh: &Mesh) -> Result<&[Intersection]> {
+        Ok(self.intersections.get_or_make(|| mesh.intersections())?)
     }
 
     /// Returns the attributes at the vertices of the mesh (before a run at the distinct inputs):

@@ -52,7 +52,7 @@ pub struct Quality {
     pub worst_cage_aspect: f64,
     /// Largest circumradius / shortest edge of the simplices off the hull: those without a vertex
     /// on the hull, which is the root's cage. Their corners are not restricted. Of a domain that is
-    /// cropped, those at its boundary count too. Forced simplices never do.
+    /// cropped, those at its boundary count too. Forced simplices and flat ones never do.
     pub worst_radius_edge: f64,
     /// Smallest angle (2D) or dihedral angle (3D and up) of the same simplices, in degrees; 0 below
     /// about 1e-14, where the directions of two facets are no longer told apart.
@@ -67,8 +67,8 @@ pub struct Quality {
     pub below_min_dihedral_between_domains: u64,
     /// Number of cells or simplices marked as beyond the bound, which gave way to the angle.
     pub beyond_bound: u64,
-    /// Number of simplices that a small angle between segments forces: the figures above leave them
-    /// out.
+    /// Number of simplices that a small angle between segments or facets forces: the figures above
+    /// leave them out.
     pub forced: u64,
     /// Smallest angle of these, in degrees.
     pub least_forced_angle_degrees: f64,
@@ -76,6 +76,9 @@ pub struct Quality {
     /// forces, wherever they are. Cages break the angle: between a cage and what is around it are
     /// triangles with vertices of several domains.
     pub below_min_angle: u64,
+    /// Number of simplices with all vertices on one facet, which only roundings keep from being
+    /// flat: the figures of simplices leave them out.
+    pub flat: u64,
 }
 
 /// The builder compares rounded radii; so do measures and the certificate, with other roundings.
@@ -119,6 +122,7 @@ fn measure_in<const D: usize>(mesh: &Triangulation) -> AllocResult<Quality> {
         forced: simplices.forced,
         least_forced_angle_degrees: simplices.forced_angle.degrees(),
         below_min_angle: simplices.below_min_angle,
+        flat: simplices.flat,
         ..Quality::default()
     };
     add_aspects(&mut quality, mesh, &cells, &on_hull);
@@ -131,7 +135,7 @@ fn measure_in<const D: usize>(mesh: &Triangulation) -> AllocResult<Quality> {
     Ok(quality)
 }
 
-/// Figures over the simplices off the hull or of a cropped domain, less forced ones; and
+/// Figures over the simplices off the hull or of a cropped domain, less forced and flat ones; and
 /// over those.
 #[derive(Default)]
 struct SimplexMeasures {
@@ -140,6 +144,7 @@ struct SimplexMeasures {
     forced: u64,
     forced_angle: LeastAngle,
     below_min_angle: u64,
+    flat: u64,
 }
 
 /// The smallest of angles, by the squared tangent of half of it.
@@ -175,6 +180,10 @@ impl SimplexMeasures {
     ) -> AllocResult<()> {
         let vertices = view.simplex(cell.simplex);
         let boundary = &view.mesh.boundary;
+        if boundary.flat.binary_search(&(cell.simplex as u32)).is_ok() {
+            self.flat += 1;
+            return Ok(());
+        }
         let is_forced = boundary.forced.binary_search(&(cell.simplex as u32)).is_ok();
         if is_forced {
             self.forced += 1;

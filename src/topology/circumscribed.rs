@@ -28,10 +28,10 @@
 //! with `c` the sum of the two factors. The squares of the `r_j`, computed, are exact up to a
 //! factor of two if their sum is at most 2^24: larger ones are for integers.
 
-use super::double_double::DoubleDouble;
 use super::exact;
 use super::radius::Radius;
 use crate::memory::AllocResult;
+use crate::numerics::DoubleDouble;
 use crate::query::unit::{exponent, largest, scaled};
 
 /// Largest sum of squared ratios of edge and height for which a face is not left to integers.

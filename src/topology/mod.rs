@@ -15,7 +15,6 @@ mod ball_tests;
 mod circumscribed;
 mod components;
 mod distance;
-mod double_double;
 mod exact;
 mod faces;
 mod keys;

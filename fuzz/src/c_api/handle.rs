@@ -44,6 +44,8 @@ impl Handle {
             vertices: 0,
             simplices: 0,
             domains: 0,
+            segment_edges: 0,
+            facet_triangles: 0,
         };
         // SAFETY: a live handle and a whole struct.
         expect(unsafe { nm_mesh_counts(self.mesh, &mut counts) }, nm_status::NM_OK);

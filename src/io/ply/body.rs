@@ -1,10 +1,12 @@
 //! The rows that a header declares. All must be there; only the points are kept.
 
 use super::super::binary::Binary;
-use super::super::text::{Line, Lines, Points, quoted};
+use super::super::text::{Line, Lines, quoted};
 use super::Rows;
 use super::header::{Element, Header, Kind, Scalar};
 use crate::error::{ErrorKind, Result, message};
+use crate::memory::TryGrow;
+use std::fmt::Display;
 use std::io::BufRead;
 
 /// Reads a row per line.
@@ -21,7 +23,10 @@ pub(super) fn read_text(header: &Header, lines: &mut Lines<'_>, rows: &mut Rows)
                     (None, Kind::Scalar(_)) => line.skip_number(place, word)?,
                     (None, Kind::List { .. }) => {
                         let length = line.integer(place, word, "length of a list")?;
-                        row.skip(length)?;
+                        match property.is_face {
+                            true => row.read_face(length, header.vertices, &mut rows.face)?,
+                            false => row.skip(length)?,
+                        }
                     }
                 }
                 if element.holds_points() {
@@ -29,17 +34,14 @@ pub(super) fn read_text(header: &Header, lines: &mut Lines<'_>, rows: &mut Rows)
                 }
             }
             row.require_end()?;
-            if element.holds_points() {
-                add(&mut rows.points, &point[..header.dim])
-                    .map_err(|error| line.error_of_kind(error.kind(), error.message()))?;
-            }
+            let added = match element.holds_points() {
+                true => rows.add_point(&point[..header.dim]),
+                false => rows.add_face(),
+            };
+            added.map_err(|error| line.error_of_kind(error.kind(), error.message()))?;
         }
     }
     lines.require_end("the elements of the header")
-}
-
-fn add(points: &mut Points, point: &[f64]) -> Result<()> {
-    point.iter().try_for_each(|value| points.push(*value))
 }
 
 fn lacks(element: &Element, index: u64) -> String {
@@ -64,6 +66,20 @@ impl<'a, W: Iterator<Item = (usize, &'a str)>> TextRow<'a, W> {
         Ok(())
     }
 
+    /// Reads the vertices of a face.
+    fn read_face(&mut self, count: u64, vertices: u64, face: &mut Vec<u32>) -> Result<()> {
+        for _ in 0..count {
+            let (column, word) = self.next()?;
+            let vertex = self.line.integer(column, word, "vertex id")?;
+            if vertex >= vertices {
+                let message = outside(vertex, vertices);
+                return Err(self.line.field_error(ErrorKind::Format, column, message).of_content());
+            }
+            face.try_push(u32::try_from(vertex).unwrap_or(u32::MAX))?;
+        }
+        Ok(())
+    }
+
     fn require_end(&mut self) -> Result<()> {
         match self.words.next() {
             None => Ok(()),
@@ -73,6 +89,10 @@ impl<'a, W: Iterator<Item = (usize, &'a str)>> TextRow<'a, W> {
             }
         }
     }
+}
+
+fn outside(vertex: impl Display, vertices: u64) -> String {
+    format!("vertex id {vertex} of {vertices} vertices")
 }
 
 pub(super) fn read_binary(
@@ -92,7 +112,7 @@ pub(super) fn read_binary(
             }
             _ => {
                 for index in 0..element.count {
-                    file.read(element, index, header.dim, rows)?;
+                    file.read(header, element, index, rows)?;
                 }
             }
         }
@@ -106,7 +126,13 @@ struct BinaryRows<'a> {
 }
 
 impl BinaryRows<'_> {
-    fn read(&mut self, element: &Element, index: u64, dim: usize, rows: &mut Rows) -> Result<()> {
+    fn read(
+        &mut self,
+        header: &Header,
+        element: &Element,
+        index: u64,
+        rows: &mut Rows,
+    ) -> Result<()> {
         let lacks = || lacks(element, index);
         let mut point = [0.0; 3];
         for (property, column) in element.properties.iter().zip(0..) {
@@ -133,11 +159,43 @@ impl BinaryRows<'_> {
                         let size = length.size() as u64;
                         return Err(self.binary.error_at(size, ErrorKind::Format, &message));
                     }
-                    self.binary.skip(count as u64 * item.size() as u64, lacks)?;
+                    match property.is_face {
+                        true => {
+                            self.read_face((count as u64, item), header.vertices, lacks, rows)?;
+                        }
+                        false => self.binary.skip(count as u64 * item.size() as u64, lacks)?,
+                    }
                 }
             }
         }
-        if element.holds_points() { add(&mut rows.points, &point[..dim]) } else { Ok(()) }
+        match element.holds_points() {
+            true => rows.add_point(&point[..header.dim]),
+            false => rows.add_face(),
+        }
+    }
+
+    /// Reads the vertices of a face: as many numbers of a type.
+    fn read_face(
+        &mut self,
+        (count, item): (u64, Scalar),
+        vertices: u64,
+        lacks: impl Fn() -> String,
+        rows: &mut Rows,
+    ) -> Result<()> {
+        for _ in 0..count {
+            let vertex = self.scalar(item, &lacks)?;
+            if !(0.0..vertices as f64).contains(&vertex) || vertex != vertex.trunc() {
+                let (size, message) = (item.size() as u64, outside(vertex, vertices));
+                let error = self.binary.error_at(size, ErrorKind::Format, &message);
+                return Err(error.of_content());
+            }
+            rows.face.try_push(if vertex < f64::from(u32::MAX) {
+                vertex as u32
+            } else {
+                u32::MAX
+            })?;
+        }
+        Ok(())
     }
 
     fn require_finite(&self, value: f64, scalar: Scalar, index: u64, name: &str) -> Result<()> {

@@ -15,6 +15,8 @@ pub(super) struct Header {
     pub elements: Vec<Element>,
     /// Dimension of the points: 2 where the vertices have no z.
     pub dim: usize,
+    /// Number of vertices.
+    pub vertices: u64,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,6 +37,8 @@ pub(super) struct Property {
     pub kind: Kind,
     /// Axis of the coordinate of a point that the property is, if it is one.
     pub axis: Option<usize>,
+    /// True for the list of the vertices of a face in space.
+    pub is_face: bool,
 }
 
 #[derive(Clone, Copy)]
@@ -87,7 +91,7 @@ impl Header {
         Self::checked(encoding, elements, lines)
     }
 
-    fn checked(encoding: Encoding, elements: Vec<Element>, lines: &Lines<'_>) -> Result<Self> {
+    fn checked(encoding: Encoding, mut elements: Vec<Element>, lines: &Lines<'_>) -> Result<Self> {
         let error = |why: &str| Err(lines.error(ErrorKind::Format, why));
         // Rows of nothing take no bytes: there could be any number of them.
         if let Some(empty) = elements.iter().find(|element| element.properties.is_empty()) {
@@ -101,13 +105,19 @@ impl Header {
             return error("the element vertex has no x or no y");
         }
         let dim = if has(2) { 3 } else { 2 };
-        Ok(Self { encoding, elements, dim })
+        let vertices = vertices.count;
+        if dim == 3 {
+            let faces = elements.iter_mut().filter(|element| element.name == FACE);
+            faces.for_each(Element::mark_face);
+        }
+        Ok(Self { encoding, elements, dim, vertices })
     }
 
-    /// Counts the elements that a mesh or a surface is made of.
+    /// Counts the elements of a mesh or a surface that are not read.
     pub fn left_out(&self) -> LeftOut {
         let mut left_out = LeftOut::default();
-        for element in &self.elements {
+        let holds_faces = |element: &&Element| element.properties.iter().any(|p| p.is_face);
+        for element in self.elements.iter().filter(|element| !holds_faces(element)) {
             let dimension = ELEMENTS.iter().find(|(name, _)| *name == element.name);
             left_out.add(dimension.map_or(0, |(_, dimension)| *dimension), element.count);
         }
@@ -141,6 +151,10 @@ impl Header {
 }
 
 const VERTEX: &str = "vertex";
+const FACE: &str = "face";
+
+/// The names that programs give to the list of the vertices of a face.
+const FACE_LISTS: [&str; 2] = ["vertex_indices", "vertex_index"];
 
 /// The names of elements of a mesh, and their dimensions. A strip of triangles is one element.
 const ELEMENTS: [(&str, u64); 6] =
@@ -206,8 +220,20 @@ impl Element {
         if axis.is_some() && matches!(kind, Kind::List { .. }) {
             return Err(line.error("a coordinate that is a list"));
         }
-        self.properties.push(Property { name: name.to_string(), kind, axis });
+        let name = name.to_string();
+        self.properties.push(Property { name, kind, axis, is_face: false });
         Ok(())
+    }
+
+    /// Marks the list that has the vertices of a face.
+    fn mark_face(&mut self) {
+        let is_list = |property: &&mut Property| {
+            matches!(property.kind, Kind::List { .. })
+                && FACE_LISTS.contains(&property.name.as_str())
+        };
+        if let Some(list) = self.properties.iter_mut().find(is_list) {
+            list.is_face = true;
+        }
     }
 
     /// Returns the bytes of a row, where all rows have equally many.

@@ -3,11 +3,11 @@
 mod body;
 mod header;
 
-use super::Table;
 use super::attributes::Scalar;
 use super::choice::AttributeColumns;
+use super::polygons::Polygons;
 use super::text::{Lines, Points};
-use super::values::Values;
+use super::values::{Outline, Table, Values};
 use crate::error::Result;
 use crate::mesh::{Attribute, NONE, Triangulation};
 use header::{Encoding, Header};
@@ -16,8 +16,13 @@ use std::io::{self, BufRead, Write};
 pub(super) fn read(input: &mut dyn BufRead, attributes: &AttributeColumns) -> Result<Table> {
     let mut lines = Lines::new(input);
     let header = Header::read(&mut lines)?;
-    let mut rows =
-        Rows { points: Points::of_dimension(header.dim), values: header.values(attributes)? };
+    let mut rows = Rows {
+        points: Points::of_dimension(header.dim),
+        values: header.values(attributes)?,
+        face: Vec::new(),
+        polygons: Polygons::default(),
+        outline: Outline::default(),
+    };
     match header.encoding {
         Encoding::Text => body::read_text(&header, &mut lines, &mut rows)?,
         // `lines` has taken no byte beyond the header's last line.
@@ -26,13 +31,35 @@ pub(super) fn read(input: &mut dyn BufRead, attributes: &AttributeColumns) -> Re
         }
     }
     let left_out = header.left_out();
-    Ok(Table { left_out, ..Table::new(rows.points.finish()?, rows.values.finish()) })
+    let outline = Outline { facets: rows.polygons.surface(), ..rows.outline };
+    Ok(Table { left_out, outline, ..Table::new(rows.points.finish()?, rows.values.finish()) })
 }
 
-/// Points and attributes that were read of the vertices.
+/// Content of the rows that were read.
 struct Rows {
+    /// Points of the vertices.
     points: Points,
+    /// Attributes of the vertices.
     values: Values,
+    /// Vertices of the face that is read.
+    face: Vec<u32>,
+    polygons: Polygons,
+    /// Segments between the vertices.
+    outline: Outline,
+}
+
+impl Rows {
+    fn add_point(&mut self, point: &[f64]) -> Result<()> {
+        point.iter().try_for_each(|value| self.points.push(*value))
+    }
+
+    /// Adds the face whose vertices have been read.
+    fn add_face(&mut self) -> Result<()> {
+        let Self { face, polygons, outline, .. } = self;
+        polygons.add_face(face, outline)?;
+        face.clear();
+        Ok(())
+    }
 }
 
 pub(super) fn write(
@@ -105,7 +132,8 @@ fn write_face(vertices: &[u32], out: &mut dyn Write) -> io::Result<()> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Format, PointCloud, read, samples, write};
+    use super::super::{Choice, Format, PointCloud, Table, read, read_table, samples, write};
+    use crate::error::{ErrorKind, Result};
 
     const VERTICES: &str = "property float x\nproperty double y\n";
 
@@ -178,6 +206,99 @@ mod tests {
             assert_eq!(read.dim, 3);
             samples::assert_same_bits(&read.coordinates, &expected);
         }
+    }
+
+    fn table(file: &[u8]) -> Result<Table> {
+        read_table(&mut &*file, Format::Ply, &Choice::default())
+    }
+
+    /// Returns a file of four vertices with these faces, of which `order` says how they are written
+    /// and `item` the type of their vertices; the faces come before the vertices.
+    fn tetrahedron(order: &str, item: &str, faces: &[&[i32]]) -> Vec<u8> {
+        let count = faces.len();
+        let mut file = format!(
+            "ply\nformat {order} 1.0\nelement face {count}\nproperty uchar red\n\
+             property list uchar {item} vertex_index\nelement vertex 4\nproperty float x\n\
+             property float y\nproperty float z\nend_header\n"
+        )
+        .into_bytes();
+        if order == "ascii" {
+            for face in faces {
+                let ids: Vec<String> = face.iter().map(|id| format!(" {id}")).collect();
+                file.extend(format!("9 {}{}\n", face.len(), ids.concat()).bytes());
+            }
+            file.extend(b"0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
+            return file;
+        }
+        let mut put = |bytes: &[u8]| match order {
+            "binary_big_endian" => file.extend(bytes.iter().rev()),
+            _ => file.extend(bytes),
+        };
+        for face in faces {
+            put(&[9]);
+            put(&[face.len() as u8]);
+            face.iter().for_each(|id| match item {
+                "float" => put(&(*id as f32 / 2.0).to_le_bytes()),
+                _ => put(&id.to_le_bytes()),
+            });
+        }
+        let points = [[0f32, 0., 0.], [1., 0., 0.], [0., 1., 0.], [0., 0., 1.]];
+        points.as_flattened().iter().for_each(|x| put(&x.to_le_bytes()));
+        file
+    }
+
+    #[test]
+    fn faces_are_triangles_or_facets() {
+        let orders = ["ascii", "binary_little_endian", "binary_big_endian"];
+        for order in orders {
+            let read = |faces: &[&[i32]]| table(&tetrahedron(order, "int", faces)).unwrap();
+            let Table { outline, left_out, .. } = read(&[&[0, 1, 2], &[3, 1], &[2], &[0, 3, 1]]);
+            assert!(outline.facets.are_triangles && left_out.is_empty());
+            assert_eq!(outline.facets.inputs, [0, 1, 2, 0, 3, 1]);
+            assert_eq!(outline.segments, [[3, 1]]);
+            let Table { outline, .. } = read(&[&[0, 1, 2, 3], &[0, 3, 1]]);
+            assert!(!outline.facets.are_triangles);
+            assert_eq!(outline.facets.loops(0).collect::<Vec<_>>(), [[0, 1, 2, 3]]);
+        }
+        // In the plane, and without a list of vertices, faces are left out.
+        for (header, row) in [
+            ("property float y\nelement face 1\nproperty list uchar int vertex_indices", "2 0 1"),
+            ("property float y\nproperty float z\nelement face 1\nproperty uchar red", "7"),
+        ] {
+            let z = if header.contains('z') { " 0" } else { "" };
+            let file = format!(
+                "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\n{header}\nend_header\n\
+                 0 0{z}\n1 0{z}\n{row}\n"
+            );
+            let Table { outline, left_out, .. } = table(file.as_bytes()).unwrap();
+            assert_eq!((outline.facets.count(), left_out.faces), (0, 1));
+        }
+    }
+
+    #[test]
+    fn what_is_wrong_with_a_face_is_named() {
+        let orders = ["ascii", "binary_little_endian", "binary_big_endian"];
+        let outside = [
+            "line 11, column 5: vertex id 4 of 4 vertices",
+            "byte 25 after the header: vertex id 4 of 4 vertices",
+            "byte 25 after the header: vertex id 4 of 4 vertices",
+        ];
+        for (order, message) in orders.into_iter().zip(outside) {
+            let error = table(&tetrahedron(order, "int", &[&[0, 1, 2], &[0, 1, 4]])).unwrap_err();
+            assert_eq!(error.kind(), ErrorKind::Format);
+            assert_eq!(error.message(), message);
+            assert!(error.is_of_content());
+        }
+        let message = |file: &[u8]| table(file).unwrap_err().message().to_string();
+        let negative = message(&tetrahedron(orders[1], "int", &[&[0, -1, 2]]));
+        assert_eq!(negative, "byte 7 after the header: vertex id -1 of 4 vertices");
+        let half = message(&tetrahedron(orders[2], "float", &[&[2, 4, 3]]));
+        assert_eq!(half, "byte 11 after the header: vertex id 1.5 of 4 vertices");
+        let negative = message(&tetrahedron(orders[0], "int", &[&[0, -1, 2]]));
+        assert_eq!(negative, "line 10, column 4: \"-1\" is no vertex id");
+        let mut short = tetrahedron(orders[1], "int", &[&[0, 1, 2]]);
+        short.truncate(short.len() - 4 * 12 - 2);
+        assert!(message(&short).ends_with("0 of 1 elements \"face\""), "{}", message(&short));
     }
 
     #[test]

@@ -10,6 +10,7 @@ use crate::netmesh::distributed::hierarchy::{Domains, with_domains};
 use crate::netmesh::distributed::names::{NOTHING, is_input, made_by};
 use crate::netmesh::distributed::piece::{NamedVertex, Piece};
 use crate::netmesh::state::conflict_lists::ConflictLists;
+use crate::netmesh::state::facets::Facets;
 use crate::netmesh::state::hierarchy::{DomainId, Hierarchy};
 use crate::netmesh::state::interface::Interface;
 use crate::netmesh::state::order::by_locality;
@@ -122,6 +123,7 @@ impl<const D: usize> Assembly<D> {
             conflict_lists,
             refine_list: RefineList::new()?,
             segments: Segments::default(),
+            facets: Facets::default(),
             interface,
             stage: Stage::of_insertion(parameters.loose_bound()),
             cells,

@@ -51,6 +51,9 @@ impl<const D: usize> State<D> {
         vertex: VertexId,
         cavity: &Cavity,
     ) -> AllocResult<()> {
+        if let Some(state) = self.in_space() {
+            return state.note_insertion_near_facets(cavity);
+        }
         let x = *self.delaunay.point(vertex);
         let is_any = self.find_encroached(&x, cavity)?;
         let is_split = is_any || !self.is_within_regions(vertex, cavity);

@@ -9,7 +9,7 @@ use crate::netmesh::state::{Mesher, State};
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Refines until no cell is bad that doubles can mend (CLEAN).
     pub(in crate::netmesh) fn clean(&mut self, cavity: &mut Cavity) -> Result<()> {
-        self.recover_segments(cavity)?;
+        self.recover_boundary(cavity)?;
         while let Some(entry) = self.state.refine_list.pop() {
             let simplex = entry.simplex;
             if !self.state.delaunay.complex().is_live(simplex) {
@@ -23,7 +23,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             } else if let Some(domain) = self.state.open_domain(simplex) {
                 self.narrow_cage_gap(simplex, domain, cavity)?;
             }
-            self.recover_segments(cavity)?;
+            self.recover_boundary(cavity)?;
             self.state.queue_again(entry)?;
         }
         Ok(())

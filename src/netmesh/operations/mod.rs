@@ -24,6 +24,7 @@ pub(super) mod cage_gap;
 pub(super) mod clean;
 pub(super) mod insert_input;
 pub(super) mod recover;
+pub(super) mod recover_facets;
 pub(super) mod release;
 pub(super) mod template;
 pub(super) mod yielding_insert;

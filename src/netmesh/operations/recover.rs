@@ -1,6 +1,6 @@
 //! Recovery: every subsegment becomes an edge whose diametral ball no vertex is in, and stays one.
 
-use crate::complex::VertexId;
+use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::Cavity;
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, TryGrow};
@@ -19,9 +19,33 @@ pub(super) enum Encroachment {
     Split,
     /// Doubles have no room for a vertex on any of them.
     TooShort,
+    /// They are too small beside the simplex that asks for the point.
+    Refused,
+}
+
+/// What a subsegment needs to be recovered.
+#[derive(Clone, Copy, PartialEq)]
+enum Need {
+    Nothing,
+    Vertex,
+    /// A vertex, for which doubles have no room; it may stay as it is.
+    Room,
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
+    /// Splits subsegments and subfacets until all that wait are recovered.
+    ///
+    /// # Errors
+    /// Fails as [`Self::recover_segments`] does.
+    pub(in crate::netmesh) fn recover_boundary(&mut self, cavity: &mut Cavity) -> Result<()> {
+        loop {
+            self.recover_segments(cavity)?;
+            if !self.recover_next_subfacet(cavity)? {
+                return Ok(());
+            }
+        }
+    }
+
     /// Splits subsegments until all that wait are recovered.
     ///
     /// # Errors
@@ -42,27 +66,18 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.watch.poll_after(8)?;
         let [a, b] = self.state.segments.chains.get(subsegment).ends;
         self.leave_domains(a, b)?;
-        let apexes = self.state.apexes(a, b);
-        let [from, to] = [a, b].map(|end| self.state.delaunay.point(end));
-        let encroaches = |&apex: &VertexId| {
-            apex.is_valid()
-                && in_diametral_ball(from, to, self.state.delaunay.point(apex)).is_positive()
+        let need = match self.state.in_space() {
+            Some(state) => match state.has_edge(a, b)? {
+                true => Need::Nothing,
+                false => Need::Vertex,
+            },
+            None => self.state.need_of(subsegment),
         };
-        let has_room = match apexes {
-            None => true,
-            Some(apexes) => {
-                let mut encroaching = apexes.into_iter().filter(encroaches).peekable();
-                if encroaching.peek().is_none() {
-                    return Ok(());
-                }
-                !self.state.is_short(subsegment)
-                    && encroaching.any(|apex| self.state.is_apart([a, b], apex))
-            }
-        };
-        if has_room && self.split(subsegment, cavity)? {
-            return Ok(());
+        match need {
+            Need::Nothing => Ok(()),
+            Need::Vertex if self.split(subsegment, cavity)? => Ok(()),
+            need => Ok(self.state.limit_subsegment(subsegment, need == Need::Room)?),
         }
-        Ok(self.state.limit_subsegment(subsegment, !has_room)?)
     }
 
     /// Splits `subsegment`; false where doubles have no room for a vertex on it.
@@ -87,7 +102,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let vertex = self.state.add_vertex(x)?;
         self.state.stats.segment_points += 1;
         self.state.hierarchy.set_domain(vertex, domain);
+        let second = self.state.segments.chains.len() as u32;
         self.state.segments.chains.split(subsegment, vertex, place)?;
+        if let Some(state) = self.state.in_space() {
+            state.split_in_sheets(subsegment, second, vertex)?;
+        }
         self.insert_into_cavity(vertex, cavity)?;
         Ok(true)
     }
@@ -126,13 +145,21 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(domain)
     }
 
-    /// Splits the subsegments that a Steiner point at `x` would encroach, and recovers all.
+    /// Splits the subsegments that a Steiner point at `x` for a simplex would encroach, and recovers
+    /// all.
     pub(super) fn split_encroached(
         &mut self,
+        simplex: SimplexId,
         x: &[f64; D],
         cavity: &mut Cavity,
     ) -> Result<Encroachment> {
-        if !self.state.segments.is_active() || !self.state.find_encroached(x, cavity)? {
+        if !self.state.segments.is_active() {
+            return Ok(Encroachment::None);
+        }
+        if self.state.in_space().is_some() {
+            return self.split_encroached_in_space(simplex, x, cavity);
+        }
+        if !self.state.find_encroached(x, cavity)? {
             return Ok(Encroachment::None);
         }
         let mut encroached = std::mem::take(&mut self.state.segments.encroached);
@@ -143,12 +170,30 @@ impl<const D: usize> Mesher<'_, '_, D> {
             is_any |= self.split(subsegment, cavity)?;
         }
         self.state.segments.encroached = encroached;
-        self.recover_segments(cavity)?;
+        self.recover_boundary(cavity)?;
         Ok(if is_any { Encroachment::Split } else { Encroachment::TooShort })
     }
 }
 
 impl<const D: usize> State<D> {
+    /// Returns what a subsegment of the plane needs to be recovered.
+    fn need_of(&self, subsegment: u32) -> Need {
+        let [a, b] = self.segments.chains.get(subsegment).ends;
+        let Some(apexes) = self.apexes(a, b) else { return Need::Vertex };
+        let [from, to] = [a, b].map(|end| self.delaunay.point(end));
+        let encroaches = |&apex: &VertexId| {
+            apex.is_valid() && in_diametral_ball(from, to, self.delaunay.point(apex)).is_positive()
+        };
+        let mut encroaching = apexes.into_iter().filter(encroaches).peekable();
+        if encroaching.peek().is_none() {
+            return Need::Nothing;
+        }
+        match self.is_short(subsegment) || !encroaching.any(|apex| self.is_apart([a, b], apex)) {
+            true => Need::Room,
+            false => Need::Vertex,
+        }
+    }
+
     /// Leaves a subsegment as it is for which doubles are too coarse. Where it cannot stay as it
     /// is, it must go through a vertex beside it.
     fn limit_subsegment(&mut self, subsegment: u32, may_stay: bool) -> AllocResult<()> {

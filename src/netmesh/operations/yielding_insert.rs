@@ -58,12 +58,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
             }
             return Ok(());
         }
-        match self.split_encroached(&x, cavity)? {
+        match self.split_encroached(simplex, &x, cavity)? {
             Encroachment::Split => return Ok(()),
             Encroachment::TooShort => {
                 self.state.refine_list.limit(simplex);
                 return Ok(());
             }
+            Encroachment::Refused => return Ok(self.state.facets.keep(simplex)?),
             Encroachment::None => {}
         }
         if !self.state.may_insert(&x, cavity) {

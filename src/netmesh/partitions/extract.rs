@@ -5,6 +5,7 @@ use crate::error::Result;
 use crate::memory::{Array, TryGrow, copied, with_capacity};
 use crate::mesh::Stats;
 use crate::netmesh::partitions::partition::Partition;
+use crate::netmesh::state::facets::Facets;
 use crate::netmesh::state::interface::Interface;
 use crate::netmesh::state::refine_list::RefineList;
 use crate::netmesh::state::segments::Segments;
@@ -85,8 +86,9 @@ impl<const D: usize> State<D> {
             | self.delaunay.point_count() as u64;
         let seed = u128::from(parameters.seed) << 64 | u128::from(number);
         let state = State {
-            // A mesh with segments has no partitions.
+            // A mesh with segments or facets has no partitions.
             segments: Segments::default(),
+            facets: Facets::default(),
             interface: Interface::new(domains.non_owned()?)?,
             removed: Vec::new(),
             stage: Stage::of_insertion(parameters.loose_bound()),

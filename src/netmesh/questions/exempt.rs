@@ -7,7 +7,6 @@
 use crate::complex::{SimplexId, VertexId};
 use crate::error::Result;
 use crate::netmesh::state::State;
-use crate::netmesh::state::segments::Segments;
 use crate::numerics::{distance, shortest_distance};
 
 /// Two distances from an end are those of one shell if they differ by no more than this, relative
@@ -49,29 +48,28 @@ impl<const D: usize> State<D> {
     /// Returns true if segments leave a live simplex out of the domain. All subsegments are
     /// recovered.
     pub(in crate::netmesh) fn is_outside(&mut self, simplex: SimplexId) -> Result<bool> {
-        let State { delaunay, segments, .. } = self;
-        if !segments.is_active() || !segments.regions.is_known() {
+        if !self.segments.is_active() || !self.segments.regions.is_known() {
             return Ok(false);
         }
-        let Segments { regions, chains, visited, .. } = segments;
-        let region = regions.resolve(simplex, delaunay.complex(), chains, visited)?;
-        Ok(!regions.is_inside[region as usize])
+        let region = self.region_of(simplex)?;
+        Ok(!self.segments.regions.is_inside[region as usize])
     }
 
     /// Returns the longest edge that the region of a live simplex may have, infinite for any.
     pub(in crate::netmesh) fn max_edge_of_region(&mut self, simplex: SimplexId) -> Result<f64> {
-        let State { delaunay, segments, .. } = self;
-        if !segments.is_active() || !segments.regions.is_known() {
+        if !self.segments.is_active() || !self.segments.regions.is_known() {
             return Ok(f64::INFINITY);
         }
-        let Segments { regions, chains, visited, .. } = segments;
-        let region = regions.resolve(simplex, delaunay.complex(), chains, visited)?;
-        Ok(regions.max_edges[region as usize])
+        let region = self.region_of(simplex)?;
+        Ok(self.segments.regions.max_edges[region as usize])
     }
 
     /// Returns true if a live simplex is forced: its shortest edge is between two lines that meet
     /// at a sharp end, on one shell about that.
     fn is_forced(&self, simplex: SimplexId) -> bool {
+        if let Some(state) = self.as_space() {
+            return state.is_kept(simplex);
+        }
         let vertices = self.delaunay.complex().vertices(simplex);
         let chains = &self.segments.chains;
         let on_lines = vertices.iter().filter(|&&vertex| chains.line_through(vertex).is_some());
@@ -87,7 +85,11 @@ impl<const D: usize> State<D> {
     /// Returns true if a live simplex is beyond the bound, and stays because it is forced.
     pub(in crate::netmesh) fn is_bad_but_forced(&self, simplex: SimplexId) -> bool {
         let radius = self.delaunay.ball(simplex).map_or(0.0, |ball| ball.radius());
-        self.is_forced(simplex) && self.short_edge(simplex, radius).is_some()
+        let may_be = match self.as_space() {
+            Some(state) => !state.is_flat(simplex),
+            None => self.is_forced(simplex),
+        };
+        may_be && self.short_edge(simplex, radius).is_some()
     }
 
     /// Returns true if two vertices are on different lines that meet at a sharp angle, equally far

@@ -7,6 +7,7 @@
 //! - `steiner_point`: the point that mends a bad simplex.
 //! - `nearby`: the vertices and inputs near a point.
 //! - `subsegments`: the edges that subsegments are, and the points that split them.
+//! - `subfacets`: whether subfacets are in the mesh, and ways through sheets.
 //! - `exempt`: the simplices that refinement leaves alone.
 //! - `permission`: the operations that the interface of a partition allows.
 
@@ -18,4 +19,5 @@ pub(super) mod nearby;
 pub(super) mod permission;
 pub(super) mod quality;
 pub(super) mod steiner_point;
+pub(super) mod subfacets;
 pub(super) mod subsegments;

@@ -10,7 +10,8 @@ use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, TryGrow, collected, copied, filled, with_capacity};
 use crate::mesh::{Boundary, Boxed, NONE, Triangulation, VertexKind};
 use crate::netmesh::result::numbering::Numbering;
-use crate::netmesh::state::segments::Segments;
+use crate::netmesh::state::segments::At;
+use crate::netmesh::state::segments::walls::{Seen, Walls};
 use crate::netmesh::state::{Mesher, State};
 
 impl<const D: usize> Mesher<'_, '_, D> {
@@ -23,13 +24,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut is_outside = with_capacity(self.state.delaunay.complex().simplex_bound())?;
         for simplex in self.state.delaunay.complex().simplices() {
             self.watch.poll_after(1)?;
-            let State { delaunay, segments, .. } = &mut self.state;
-            let complex = delaunay.complex();
-            let Segments { regions, chains, visited, .. } = segments;
+            let complex = self.state.delaunay.complex();
             is_outside.push(match complex.is_live(simplex) && !complex.is_infinite(simplex) {
                 true => {
-                    let region = regions.resolve(simplex, complex, chains, visited)?;
-                    !regions.is_inside[region as usize]
+                    let region = self.state.region_of(simplex)?;
+                    !self.state.segments.regions.is_inside[region as usize]
                 }
                 false => false,
             });
@@ -56,6 +55,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             let line = chains.lines[subsegment.line as usize];
             boundary.parents.push(line.segment);
         }
+        self.add_subfacets(&mut boundary, numbering)?;
         boundary.simplex_regions = filled(numbering.counts.iter().sum(), 0)?;
         for simplex in self.state.delaunay.complex().simplices() {
             self.watch.poll_after(1)?;
@@ -77,28 +77,59 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(boundary)
     }
 
+    /// Adds the subfacets, by facets, and the simplices on both sides of them.
+    fn add_subfacets(&mut self, boundary: &mut Boundary, numbering: &Numbering) -> Result<()> {
+        let facets = &self.state.facets;
+        let count = facets.len();
+        let mut order = collected(0..count as u32)?;
+        let parent = |subfacet: u32| facets.facets[facets.get(subfacet).facet as usize].parent;
+        order.sort_by_key(|&subfacet| (parent(subfacet), facets.get(subfacet).facet));
+        let mut simplices = filled(count, [NONE; 2])?;
+        let complex = self.state.delaunay.complex();
+        let chains = &self.state.segments.chains;
+        for simplex in complex.simplices() {
+            self.watch.poll_after(1)?;
+            if facets.is_empty() || !complex.is_live(simplex) || complex.is_infinite(simplex) {
+                continue;
+            }
+            let vertices = complex.vertices(simplex);
+            for (subfacet, side) in
+                (Walls { chains, facets }).subfacets_of(vertices).into_iter().flatten()
+            {
+                simplices[subfacet as usize][side] = numbering.simplices[simplex];
+            }
+        }
+        for subfacet in order {
+            let vertices = facets.get(subfacet).vertices.map(|vertex| numbering.vertices[vertex]);
+            boundary.subfacets.try_push(vertices)?;
+            boundary.subfacet_parents.try_push(parent(subfacet))?;
+            boundary.subfacet_simplices.try_push(simplices[subfacet as usize])?;
+        }
+        Ok(())
+    }
+
     /// Fails where regions meet without a segment between them. Vertices on segments are rounded,
     /// and where others are as near to a segment as that, they may come to its other side.
     fn check_regions(&mut self) -> Result<()> {
         for simplex in self.state.delaunay.complex().simplices() {
             self.watch.poll_after(1)?;
-            let State { delaunay, segments, .. } = &self.state;
+            let State { delaunay, segments, facets, .. } = &self.state;
             let (complex, regions) = (delaunay.complex(), &segments.regions);
             if !complex.is_live(simplex) || complex.is_infinite(simplex) {
                 continue;
             }
             let vertices = complex.vertices(simplex);
-            let sides = segments.chains.sides_of(vertices);
-            let leaks = |(side, &beyond): (Option<u32>, &SimplexId)| {
+            let sides = Walls { chains: &segments.chains, facets }.of(vertices);
+            let leaks = |(side, &beyond): (Seen, &SimplexId)| {
                 side.is_none()
                     && !complex.is_infinite(beyond)
                     && regions.of(beyond) != regions.of(simplex)
             };
             if sides.into_iter().zip(complex.neighbors(simplex)).any(leaks) {
-                let [x, y] = [0, 1].map(|axis| delaunay.point(vertices[0])[axis]);
                 let message = message!(
-                    "doubles have no room for the regions between segments near ({x:?}, {y:?}), \
-                     which vertices are within roundings of"
+                    "doubles have no room for the regions between segments near {}, which vertices \
+                     are within roundings of",
+                    At(delaunay.point(vertices[0]))
                 );
                 return Err(Error::new(ErrorKind::Limit, message));
             }

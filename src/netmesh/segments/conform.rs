@@ -3,7 +3,7 @@
 use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
-use crate::memory::{TryGrow, filled, with_capacity};
+use crate::memory::{AllocResult, TryGrow, filled, with_capacity};
 use crate::mesh::{Arrangement, Subsegment};
 use crate::netmesh::state::segments::Segments;
 use crate::netmesh::state::segments::chain::{Chains, Line};
@@ -26,19 +26,14 @@ impl Mesher<'_, '_, 2> {
         self.cage_clusters(&lines, cavity)?;
         self.state.segments.chains = Chains::new(lines, self.state.delaunay.point_count())?;
         self.state.find_sharp_ends()?;
-        self.recover_segments(cavity)?;
-        let State { delaunay, segments, .. } = &mut self.state;
-        let Segments { chains, regions, visited, .. } = segments;
-        regions.find(delaunay, chains, visited)?;
+        self.recover_boundary(cavity)?;
+        self.state.find_regions()?;
         self.judge_regions(&arrangement.regions)
     }
 
     /// Returns the lines of the arrangement. Crossings become vertices.
     fn lines_of(&mut self, arrangement: &Arrangement, cavity: &mut Cavity) -> Result<Vec<Line>> {
-        let mut vertices = filled(self.state.inputs, VertexId::NONE)?;
-        for (vertex, &input) in self.order.iter().enumerate() {
-            vertices[input.index()] = VertexId::new(vertex);
-        }
+        let mut vertices = self.vertices_of_inputs()?;
         for x in &arrangement.crossings {
             let x = std::array::from_fn(|axis| x[axis]);
             let near = vertices.last().copied().unwrap_or(VertexId::new(0));
@@ -73,5 +68,16 @@ impl Mesher<'_, '_, 2> {
         self.state.hierarchy.set_domain(vertex, domain);
         self.insert_into_cavity(vertex, cavity)?;
         Ok(vertex)
+    }
+}
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Returns the vertex of each distinct input.
+    pub(in crate::netmesh) fn vertices_of_inputs(&self) -> AllocResult<Vec<VertexId>> {
+        let mut vertices = filled(self.state.inputs, VertexId::NONE)?;
+        for (vertex, &input) in self.order.iter().enumerate() {
+            vertices[input.index()] = VertexId::new(vertex);
+        }
+        Ok(vertices)
     }
 }

@@ -5,15 +5,17 @@
 
 use crate::memory::{AllocResult, Lists, TryGrow, collected, filled};
 use crate::netmesh::state::State;
-use crate::netmesh::state::segments::chain::Line;
 use crate::netmesh::state::segments::regions::{OUTSIDE, Regions};
+use crate::netmesh::state::segments::walls::Walls;
 use crate::options::{Extent, Interior};
 
 impl<const D: usize> State<D> {
     /// Returns, for every region, true if it is inside, before seeds make holes. All regions are
     /// found.
     pub(super) fn enclosed_regions(&self) -> AllocResult<Vec<bool>> {
-        let (regions, lines) = (&self.segments.regions, &self.segments.chains.lines);
+        let regions = &self.segments.regions;
+        let walls = Walls { chains: &self.segments.chains, facets: &self.facets };
+        let balances = collected((0..walls.count(D)).map(|wall| walls.balance(D, wall)))?;
         if self.parameters.extent == Extent::All {
             return filled(regions.len(), true);
         }
@@ -21,8 +23,8 @@ impl<const D: usize> State<D> {
             Interior::Auto | Interior::Seeds => {
                 collected((0..regions.len()).map(|region| region as u32 != OUTSIDE))
             }
-            Interior::Parity => are_not_zero(&winding_numbers(regions, lines, |x| x & 1)?),
-            Interior::Winding => are_not_zero(&winding_numbers(regions, lines, |x| x)?),
+            Interior::Parity => are_not_zero(&winding_numbers(regions, &balances, |x| x & 1)?),
+            Interior::Winding => are_not_zero(&winding_numbers(regions, &balances, |x| x)?),
         }
     }
 }
@@ -31,24 +33,24 @@ fn are_not_zero(numbers: &[Option<i64>]) -> AllocResult<Vec<bool>> {
     collected(numbers.iter().map(|number| number.is_some_and(|number| number != 0)))
 }
 
-/// Returns the winding number of every region as `reduced`. Lines are pieces of closed curves, so
-/// that any way from outside gives the same; and all regions are reached, for the plane is
-/// connected. O(lines).
+/// Returns the winding number of every region as `reduced`. Walls are pieces of closed curves or
+/// surfaces, so that any way from outside gives the same; and all regions are reached, for what they
+/// separate is connected. O(walls).
 fn winding_numbers(
     regions: &Regions,
-    lines: &[Line],
+    balances: &[i64],
     reduced: fn(i64) -> i64,
 ) -> AllocResult<Vec<Option<i64>>> {
-    let of_line = |line: usize| [0, 1].map(|side| (regions.sides[line][side], line as u32));
-    let lines_at = Lists::of_pairs(regions.len(), || (0..lines.len()).flat_map(of_line))?;
+    let of_wall = |wall: usize| [0, 1].map(|side| (regions.sides[wall][side], wall as u32));
+    let walls_at = Lists::of_pairs(regions.len(), || (0..balances.len()).flat_map(of_wall))?;
     let mut numbers = filled(regions.len(), None)?;
     let mut waiting = Vec::new();
     numbers[OUTSIDE as usize] = Some(0);
     waiting.try_push((OUTSIDE, 0))?;
     while let Some((region, number)) = waiting.pop() {
-        for &line in lines_at.of(region as usize) {
-            let [left, right] = regions.sides[line as usize];
-            let balance = lines[line as usize].balance;
+        for &wall in walls_at.of(region as usize) {
+            let [left, right] = regions.sides[wall as usize];
+            let balance = balances[wall as usize];
             let (beyond, step) = if left == region { (right, -balance) } else { (left, balance) };
             let next = reduced(number + step);
             match numbers[beyond as usize] {

@@ -18,9 +18,13 @@ use crate::numerics::distance;
 use crate::options::NetOrdering;
 use rand_core::Rng;
 
-impl Mesher<'_, '_, 2> {
+impl<const D: usize> Mesher<'_, '_, D> {
     /// Inserts all inputs. `center` is the one that is in already.
-    pub(super) fn insert_points(&mut self, center: VertexId, cavity: &mut Cavity) -> Result<()> {
+    pub(in crate::netmesh) fn insert_points(
+        &mut self,
+        center: VertexId,
+        cavity: &mut Cavity,
+    ) -> Result<()> {
         let rounds = self.state.rounds_of_inputs()?;
         let count = rounds.iter().copied().max().unwrap_or(0);
         self.state.conflict_lists.dismiss_unassigned();
@@ -87,7 +91,7 @@ impl Mesher<'_, '_, 2> {
     }
 }
 
-impl State<2> {
+impl<const D: usize> State<D> {
     /// Returns, for every input, the number of rounds that come after its own.
     fn rounds_of_inputs(&mut self) -> AllocResult<Vec<u8>> {
         let ordering = self.parameters.ordering;

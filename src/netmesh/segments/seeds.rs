@@ -16,7 +16,7 @@ use crate::parameters::Parameters;
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Finds which regions belong to the domain, and what their seeds say of them. All regions are
     /// known.
-    pub(super) fn judge_regions(&mut self, seeds: &[Region]) -> Result<()> {
+    pub(in crate::netmesh) fn judge_regions(&mut self, seeds: &[Region]) -> Result<()> {
         let count = self.state.segments.regions.len();
         let mut is_inside = self.state.enclosed_regions()?;
         self.state.refuse_nothing(&is_inside, "segments enclose nothing")?;

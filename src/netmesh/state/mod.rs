@@ -7,6 +7,7 @@
 //! - `refine_list`: REFINELIST, the simplices that are to be refined.
 //! - `interface`: the simplices and domains that a partition must leave as they are.
 //! - `segments`: the chains of edges that segments have become, and the regions between them.
+//! - `facets`: the sheets of triangles that facets have become.
 //! - `sizes`: the sizes that the caller asks for.
 //! - `observations`: the memory of the instruments.
 //! - `parameters`: the numbers that follow from the options.
@@ -17,6 +18,7 @@
 //! A part of the state belongs here with the methods that need no other part.
 
 pub(super) mod conflict_lists;
+pub(super) mod facets;
 pub(super) mod hierarchy;
 pub(super) mod interface;
 pub(super) mod observations;
@@ -35,6 +37,7 @@ use crate::error::{Error, ErrorKind, Name, Result, say};
 use crate::memory::{Array, TryGrow, expect, filled};
 use crate::mesh::{Inputs, Stats};
 use crate::netmesh::state::conflict_lists::ConflictLists;
+use crate::netmesh::state::facets::Facets;
 use crate::netmesh::state::hierarchy::Hierarchy;
 use crate::netmesh::state::interface::Interface;
 use crate::netmesh::state::observations::Instruments;
@@ -47,6 +50,7 @@ use crate::netmesh::state::watch::Watch;
 use crate::options::{Algorithm, Phase};
 use crate::parameters::Parameters;
 use rand_pcg::Pcg64Mcg;
+use std::any::Any;
 use std::cmp::Reverse;
 use std::collections::VecDeque;
 
@@ -62,6 +66,7 @@ pub(in crate::netmesh) struct State<const D: usize> {
     pub conflict_lists: ConflictLists,
     pub refine_list: RefineList,
     pub segments: Segments,
+    pub facets: Facets,
     /// Simplices and domains that a partition must leave as they are. The global mesh has none.
     pub interface: Interface,
     pub stage: Stage,
@@ -193,6 +198,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             conflict_lists,
             refine_list: RefineList::new()?,
             segments: Segments::default(),
+            facets: Facets::default(),
             interface: Interface::default(),
             stage: Stage::of_insertion(parameters.loose_bound()),
             cells: Array::filled(count, Cell::NEW)?,
@@ -228,6 +234,16 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
 }
 
 impl<const D: usize> State<D> {
+    /// Returns the state as one of space, which alone has facets; `None` in other dimensions.
+    pub(in crate::netmesh) fn in_space(&mut self) -> Option<&mut State<3>> {
+        (self as &mut dyn Any).downcast_mut()
+    }
+
+    /// Returns the state as one of space; `None` in other dimensions.
+    pub(in crate::netmesh) fn as_space(&self) -> Option<&State<3>> {
+        (self as &dyn Any).downcast_ref()
+    }
+
     /// Reserves memory for the mesh of uniform inputs, so that the arrays of a large run do not
     /// move.
     fn expect_usual_size(&mut self) {

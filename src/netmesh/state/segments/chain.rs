@@ -260,6 +260,16 @@ impl Chains {
         [between(b, c), between(c, a), between(a, b)]
     }
 
+    /// Returns the subsegment between two vertices.
+    #[inline]
+    pub fn edge_between(&self, a: VertexId, b: VertexId) -> Option<u32> {
+        let (at_a, at_b) = (self.place(a), self.place(b));
+        match at_a == OnChain::Elsewhere || at_b == OnChain::Elsewhere {
+            true => None,
+            false => self.between_places((a, at_a), (b, at_b)),
+        }
+    }
+
     #[inline]
     fn between_places(&self, a: (VertexId, OnChain), b: (VertexId, OnChain)) -> Option<u32> {
         match (a.1, b.1) {

@@ -1,8 +1,9 @@
-//! Segments in the plane, as the mesh knows them: chains of subsegments, and the regions that they
-//! separate.
+//! Segments, as the mesh knows them: chains of subsegments, and the regions that they separate in the
+//! plane, and facets in space.
 
 pub(in crate::netmesh) mod chain;
 pub(in crate::netmesh) mod regions;
+pub(in crate::netmesh) mod walls;
 
 use crate::complex::SimplexId;
 use crate::error::message;
@@ -10,6 +11,7 @@ use crate::mesh::{self, NONE};
 use crate::netmesh::state::segments::chain::Chains;
 use crate::netmesh::state::segments::regions::Regions;
 use std::borrow::Cow;
+use std::fmt::{self, Display, Formatter};
 
 /// Segments of a mesh: their chains, the regions between them, and what is known of both.
 #[derive(Default)]
@@ -44,6 +46,20 @@ pub(in crate::netmesh) struct Crowded {
     /// The segment that has a vertex there, if one does.
     pub beside: Option<u32>,
     pub at: mesh::Crowded,
+}
+
+/// Point in messages.
+pub(in crate::netmesh) struct At<'a>(pub &'a [f64]);
+
+impl Display for At<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let mut between = "(";
+        for x in self.0 {
+            write!(f, "{between}{x:?}")?;
+            between = ", ";
+        }
+        f.write_str(")")
+    }
 }
 
 /// Returns the name of a segment in errors.

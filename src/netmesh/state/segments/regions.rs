@@ -1,12 +1,12 @@
-//! Regions: the parts of the plane that segments separate, as sets of simplices. They are found
-//! when all subsegments are recovered. Then a simplex belongs to what its predecessors belonged to,
-//! for the cavity of a point that encroaches no subsegment is on one side of all of them. Where a
-//! point encroached some, what is on either side of a line tells, once they are recovered again.
+//! Regions: the parts of the plane or of space that walls separate, as sets of simplices. They are
+//! found when all of the boundary is recovered. Then a simplex belongs to what its predecessors
+//! belonged to, for the cavity of a point that crosses no wall is on one side of all of them. Where a
+//! point crossed some, what is on either side of a wall tells, once they are recovered again.
 
 use crate::complex::{Complex, SimplexId, VertexId};
 use crate::delaunay::{Cavity, Delaunay};
 use crate::memory::{AllocResult, Array, TryGrow};
-use crate::netmesh::state::segments::chain::Chains;
+use crate::netmesh::state::segments::walls::Walls;
 
 /// No region is known.
 const UNKNOWN: u32 = u32::MAX;
@@ -18,7 +18,7 @@ pub(in crate::netmesh) const OUTSIDE: u32 = 0;
 pub(in crate::netmesh) struct Regions {
     /// Simplex -> its region; stale for a dead one. Empty while there are no regions.
     of: Array<u32>,
-    /// Line -> the regions on its left and on its right.
+    /// Wall -> the regions on its left and on its right, or before it and behind.
     pub sides: Vec<[u32; 2]>,
     /// Region -> true if it belongs to the domain, and so is refined.
     pub is_inside: Vec<bool>,
@@ -52,7 +52,7 @@ impl Regions {
     pub fn find<const D: usize>(
         &mut self,
         delaunay: &Delaunay<D>,
-        chains: &Chains,
+        walls: Walls<'_>,
         found: &mut Vec<SimplexId>,
     ) -> AllocResult<()> {
         let complex = delaunay.complex();
@@ -60,7 +60,7 @@ impl Regions {
         self.of.cover(complex.simplex_bound(), UNKNOWN)?;
         self.is_inside.clear();
         self.sides.clear();
-        self.sides.cover(chains.lines.len(), [UNKNOWN; 2])?;
+        self.sides.cover(walls.count(D), [UNKNOWN; 2])?;
         // A simplex at infinity comes first: no segment is on the hull, which is that of a cage.
         let is_infinite =
             |&simplex: &SimplexId| complex.is_live(simplex) && complex.is_infinite(simplex);
@@ -69,7 +69,7 @@ impl Regions {
             if complex.is_live(first) && self.of[first] == UNKNOWN {
                 let region = self.is_inside.len() as u32;
                 self.is_inside.try_push(true)?;
-                self.spread(first, region, complex, chains, found)?;
+                self.spread(first, region, complex, walls, found)?;
             }
         }
         Ok(())
@@ -81,7 +81,7 @@ impl Regions {
         first: SimplexId,
         region: u32,
         complex: &Complex<D>,
-        chains: &Chains,
+        walls: Walls<'_>,
         found: &mut Vec<SimplexId>,
     ) -> AllocResult<()> {
         self.of[first] = region;
@@ -89,11 +89,10 @@ impl Regions {
         found.try_push(first)?;
         while let Some(simplex) = found.pop() {
             let (vertices, neighbors) = (complex.vertices(simplex), complex.neighbors(simplex));
-            let sides = chains.sides_of(vertices);
+            let sides = walls.of(vertices);
             for (index, &beyond) in neighbors.iter().enumerate() {
-                if let Some(subsegment) = sides[index] {
-                    let (line, side) = side_of(subsegment, index, vertices, chains);
-                    self.sides[line as usize][side] = region;
+                if let Some((wall, side)) = sides[index] {
+                    self.sides[wall as usize][side] = region;
                 } else if self.of[beyond] == UNKNOWN {
                     self.of[beyond] = region;
                     found.try_push(beyond)?;
@@ -109,7 +108,7 @@ impl Regions {
         &mut self,
         simplex: SimplexId,
         complex: &Complex<D>,
-        chains: &Chains,
+        walls: Walls<'_>,
         found: &mut Vec<SimplexId>,
     ) -> AllocResult<u32> {
         if let Some(region) = self.of(simplex) {
@@ -125,13 +124,10 @@ impl Regions {
             let current = found[next];
             next += 1;
             let vertices = complex.vertices(current);
-            let sides = chains.sides_of(vertices);
+            let sides = walls.of(vertices);
             for (index, &beyond) in complex.neighbors(current).iter().enumerate() {
                 region = match sides[index] {
-                    Some(subsegment) => {
-                        let (line, side) = side_of(subsegment, index, vertices, chains);
-                        self.sides[line as usize][side]
-                    }
+                    Some((wall, side)) => self.sides[wall as usize][side],
                     None => self.of[beyond],
                 };
                 if region != UNKNOWN {
@@ -142,8 +138,8 @@ impl Regions {
                 }
             }
         }
-        debug_assert!(region != UNKNOWN, "a region has a line or a simplex that is known");
-        self.spread(simplex, region, complex, chains, found)?;
+        debug_assert!(region != UNKNOWN, "a region has a wall or a simplex that is known");
+        self.spread(simplex, region, complex, walls, found)?;
         Ok(region)
     }
 
@@ -192,13 +188,4 @@ impl Regions {
         filled.iter().for_each(|&simplex| self.of[simplex] = region);
         Ok(())
     }
-}
-
-/// Returns the line of the subsegment opposite vertex number `index` of a simplex, and on which
-/// side of it the simplex is: 0 on the left, 1 on the right.
-#[inline]
-fn side_of(subsegment: u32, index: usize, vertices: &[VertexId], chains: &Chains) -> (u32, usize) {
-    let subsegment = chains.get(subsegment);
-    // Simplices turn to the left, and so have what is inside on the left of their edges.
-    (subsegment.line, usize::from(subsegment.ends[0] != vertices[(index + 1) % 3]))
 }

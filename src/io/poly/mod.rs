@@ -1,4 +1,8 @@
-//! Triangle's `.poly`: points of the plane, segments between them, holes and regions.
+//! `.poly` files of Triangle (points of the plane and segments between them) and of TetGen (points
+//! of space and facets), with holes and regions; TetGen's `.smesh`.
+
+mod loops;
+mod space;
 
 use super::choice::AttributeColumns;
 use super::tetgen;
@@ -7,12 +11,14 @@ use super::values::{Outline, Table};
 use crate::error::{Error, ErrorKind, Result};
 use crate::memory::TryGrow;
 use crate::mesh::Region;
+pub(super) use space::Grammar;
 use std::path::Path;
 
-/// Reads a `.poly` file. `path` is that of the file, if it has one: its points may be in a `.node`
-/// file beside it.
+/// Reads a `.poly` or `.smesh` file. `path` is that of the file, if it has one: its points may be in
+/// a `.node` file beside it.
 pub(super) fn read(
     mut lines: Lines<'_>,
+    grammar: Grammar,
     attributes: &AttributeColumns,
     path: Option<&Path>,
 ) -> Result<Table> {
@@ -20,21 +26,47 @@ pub(super) fn read(
         Some(points) => points,
         None => points_beside(attributes, path)?,
     };
-    if table.points.dim != 2 {
-        let message = format!(
-            "points of dimension {}; only a .poly file of the plane is read, as Triangle has it: \
-             TetGen's facets are not",
-            table.points.dim
-        );
-        return Err(lines.error(ErrorKind::Dimension, &message));
+    let dim = table.points.dim;
+    let ids = PointIds { first, count: table.points.count() as u64 };
+    let (points, outline) = (&table.points.coordinates, &mut table.outline);
+    match (grammar, dim) {
+        (Grammar::Poly, 2) => read_segments(&mut lines, &ids, outline)?,
+        (_, 3) => space::read_facets(&mut lines, grammar, &ids, points, outline)?,
+        _ => {
+            let rule = match grammar {
+                Grammar::Poly => "a .poly file has 2, as Triangle's, or 3, as TetGen's",
+                Grammar::Smesh => "a .smesh file has 3",
+            };
+            let message = format!("points of dimension {dim}; {rule}");
+            return Err(lines.error(ErrorKind::Dimension, &message));
+        }
     }
-    let points = table.points.coordinates.len() as u64 / 2;
-    let outline = &mut table.outline;
-    read_segments(&mut lines, first..first + points, outline)?;
-    read_holes(&mut lines, outline)?;
-    read_regions(&mut lines, outline)?;
+    read_holes(&mut lines, dim, outline)?;
+    read_regions(&mut lines, dim, outline)?;
     lines.require_end("the regions")?;
     Ok(table)
+}
+
+/// Ids of the points of a file, which count up from 0 or 1.
+struct PointIds {
+    first: u64,
+    count: u64,
+}
+
+impl PointIds {
+    /// Reads an id; returns the number of the point, counted from 0.
+    fn read(&self, line: &Line<'_>, column: usize, word: &str) -> Result<u32> {
+        let id = line.integer(column, word, "point id")?;
+        let Self { first, count } = *self;
+        match id.checked_sub(first) {
+            // There are fewer points than ids of 32 bits, or the mesh will refuse them.
+            Some(number) if number < count => Ok(u32::try_from(number).unwrap_or(u32::MAX)),
+            _ => {
+                let message = format!("point id {id}; ids are {first} to {}", first + count - 1);
+                Err(line.field_error(ErrorKind::Format, column, message).of_content())
+            }
+        }
+    }
 }
 
 /// Reads the points of the `.node` file with the same name, and the id of the first.
@@ -68,11 +100,7 @@ fn read_counts(line: &Line<'_>, what: &str) -> Result<(u64, usize)> {
     }
 }
 
-fn read_segments(
-    lines: &mut Lines<'_>,
-    ids: std::ops::Range<u64>,
-    outline: &mut Outline,
-) -> Result<()> {
+fn read_segments(lines: &mut Lines<'_>, ids: &PointIds, outline: &mut Outline) -> Result<()> {
     let what = "number of segments";
     let (count, markers) = read_counts(&lines.require(|| format!("the {what} is missing"))?, what)?;
     for index in 0..count {
@@ -82,16 +110,7 @@ fn read_segments(
         for (column, word) in line.words() {
             match column {
                 0 => _ = line.integer(column, word, "segment id")?,
-                1 | 2 => {
-                    let id = line.integer(column, word, "point id")?;
-                    if !ids.contains(&id) {
-                        let message =
-                            format!("point id {id}; ids are {} to {}", ids.start, ids.end - 1);
-                        return Err(line.error(message).of_content());
-                    }
-                    // There are fewer points than ids of 32 bits, or the mesh will refuse them.
-                    ends[column - 1] = u32::try_from(id - ids.start).unwrap_or(u32::MAX);
-                }
+                1 | 2 => ends[column - 1] = ids.read(&line, column, word)?,
                 _ => outline.markers.try_push(whole(&line, column, word, "marker")?)?,
             }
         }
@@ -106,32 +125,33 @@ fn read_segments(
     Ok(())
 }
 
-fn read_holes(lines: &mut Lines<'_>, outline: &mut Outline) -> Result<()> {
+/// Reads the points in holes of the domain.
+fn read_holes(lines: &mut Lines<'_>, dim: usize, outline: &mut Outline) -> Result<()> {
     let Some(count) = next_count(lines, "number of holes")? else { return Ok(()) };
     for index in 0..count {
         let line = lines.require(|| format!("{index} of {count} holes"))?;
-        line.require_words(3)?;
-        let region = Region { seed: seed(&line)?, is_hole: true, ..Region::default() };
+        let region = Region { seed: coordinates(&line, dim)?, is_hole: true, ..Region::default() };
         outline.regions.try_push(region)?;
     }
     Ok(())
 }
 
-/// Seeds with a label, and perhaps the largest area that a triangle may have there.
-fn read_regions(lines: &mut Lines<'_>, outline: &mut Outline) -> Result<()> {
+/// Reads seeds with a label, and perhaps the largest area or volume that a simplex may have there.
+fn read_regions(lines: &mut Lines<'_>, dim: usize, outline: &mut Outline) -> Result<()> {
     let Some(count) = next_count(lines, "number of regions")? else { return Ok(()) };
     for index in 0..count {
         let line = lines.require(|| format!("{index} of {count} regions"))?;
         let columns = line.word_count();
-        if !(4..=5).contains(&columns) {
-            let message = format!("{columns} columns; a region has: id x y label area");
+        if !(dim + 2..=dim + 3).contains(&columns) {
+            let names = if dim == 2 { "x y label area" } else { "x y z label volume" };
+            let message = format!("{columns} columns; a region has: id {names}");
             return Err(line.error(message));
         }
-        let mut region = Region { seed: seed(&line)?, ..Region::default() };
-        for (column, word) in line.words().skip(3) {
-            match column {
-                3 => region.label = whole(&line, column, word, "label")?,
-                _ => region.max_edge = edge_of(line.coordinate(column, word)?),
+        let mut region = Region { seed: seed(&line, dim)?, ..Region::default() };
+        for (column, word) in line.words().skip(1 + dim) {
+            match column - dim {
+                1 => region.label = whole(&line, column, word, "label")?,
+                _ => region.max_edge = edge_of(line.coordinate(column, word)?, dim),
             }
         }
         outline.regions.try_push(region)?;
@@ -139,9 +159,14 @@ fn read_regions(lines: &mut Lines<'_>, outline: &mut Outline) -> Result<()> {
     Ok(())
 }
 
-/// Returns the edge of the equilateral triangle of an area; 0, for none, where that is not above 0.
-fn edge_of(area: f64) -> f64 {
-    if area > 0.0 { (4.0 / 3.0_f64.sqrt()).sqrt() * area.sqrt() } else { 0.0 }
+/// Returns the edge of the equilateral triangle of an area, or of the regular tetrahedron of a
+/// volume; 0, for none, where that is not above 0.
+fn edge_of(measure: f64, dim: usize) -> f64 {
+    match dim {
+        _ if measure <= 0.0 => 0.0,
+        2 => (4.0 / 3.0_f64.sqrt()).sqrt() * measure.sqrt(),
+        _ => (6.0 * 2.0_f64.sqrt()).cbrt() * measure.cbrt(),
+    }
 }
 
 fn next_count(lines: &mut Lines<'_>, what: &str) -> Result<Option<u64>> {
@@ -150,10 +175,16 @@ fn next_count(lines: &mut Lines<'_>, what: &str) -> Result<Option<u64>> {
     Ok(Some(count))
 }
 
-/// Reads the seed of a region: the second column and the third.
-fn seed(line: &Line<'_>) -> Result<[f64; 3]> {
+/// Reads a line of an id and a point, and nothing else.
+fn coordinates(line: &Line<'_>, dim: usize) -> Result<[f64; 3]> {
+    line.require_words(1 + dim)?;
+    seed(line, dim)
+}
+
+/// Reads the seed of a region: the columns after the first.
+fn seed(line: &Line<'_>, dim: usize) -> Result<[f64; 3]> {
     let mut seed = [0.0; 3];
-    for (column, word) in line.words().take(3) {
+    for (column, word) in line.words().take(1 + dim) {
         match column {
             0 => _ = line.integer(column, word, "id")?,
             _ => seed[column - 1] = line.coordinate(column, word)?,
@@ -242,8 +273,8 @@ mod tests {
             ("x\n", "line 6, column 1: \"x\" is no number of segments"),
             ("2 0\n1 1 2\n", "the file ends after line 7: 1 of 2 segments"),
             ("1 0\n1 1 2 3\n", "line 7: 4 columns where 3 are expected"),
-            ("1 0\n1 0 2\n", "line 7: point id 0; ids are 1 to 4"),
-            ("1 0\n1 2 5\n", "line 7: point id 5; ids are 1 to 4"),
+            ("1 0\n1 0 2\n", "line 7, column 2: point id 0; ids are 1 to 4"),
+            ("1 0\n1 2 5\n", "line 7, column 3: point id 5; ids are 1 to 4"),
             ("1 0\n1 2 2\n", "line 7: the segment has one point as both ends"),
             ("1 1\n1 2 3 0.5\n", "line 7, column 4: 0.5 is no marker: a whole number of 32 bits"),
             ("1 1\n1 2 3 3e9\n", "line 7, column 4: 3e9 is no marker: a whole number of 32 bits"),
@@ -261,8 +292,8 @@ mod tests {
             assert_eq!(error.is_of_content(), is_of_content, "{message}");
             assert!(error.message().starts_with(message), "{text:?}: {}", error.message());
         }
-        let error = read("2 3\n1 0 0 0\n2 1 0 0\n0\n0\n").unwrap_err();
+        let error = read("2 4\n1 0 0 0 0\n2 1 0 0 0\n0\n0\n").unwrap_err();
         assert_eq!(error.kind(), ErrorKind::Dimension);
-        assert!(error.message().contains("TetGen's facets are not"), "{}", error.message());
+        assert!(error.message().contains("has 2, as Triangle's, or 3"), "{}", error.message());
     }
 }

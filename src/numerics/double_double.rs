@@ -2,10 +2,10 @@
 //! bits (T. J. Dekker, "A floating-point technique for extending the available precision", 1971).
 //! Exponents are small enough that nothing overflows or underflows.
 
-use std::ops::{Add, Mul, Neg, Sub};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct DoubleDouble {
+pub(crate) struct DoubleDouble {
     pub high: f64,
     pub low: f64,
 }
@@ -97,5 +97,16 @@ impl Mul<f64> for DoubleDouble {
     fn mul(self, other: f64) -> Self {
         let product = Self::product(self.high, other);
         Self::of_parts(product.high, product.low + self.low * other)
+    }
+}
+
+/// Error at most 16 u^2 |a / b|.
+impl Div for DoubleDouble {
+    type Output = Self;
+    #[inline]
+    fn div(self, other: Self) -> Self {
+        let first = self.high / other.high;
+        let rest = self - other * first;
+        Self::of_parts(first, rest.high / other.high)
     }
 }

@@ -1,0 +1,156 @@
+//! A tree of boxes, and all pairs of them that meet.
+
+use crate::arrangement::poll::Poll;
+use crate::error::Result;
+use crate::memory::{AllocResult, TryGrow, collected, filled};
+use crate::nearest::Tree;
+
+/// Smallest box that contains something: its least and its largest coordinates.
+pub(super) type Bounds = [[f64; 3]; 2];
+
+/// Number of pairs of boxes for which a poll counts one unit of work.
+const PAIRS_OF_A_POLL: u32 = 16;
+
+/// Tree of boxes. The centres of boxes make a k-d tree, whose nodes have bounds.
+pub(super) struct BoxTree<'a> {
+    boxes: &'a [Bounds],
+    tree: Tree,
+    /// Node -> the bounds of all boxes below it; those of leaves follow those of inner nodes.
+    bounds: Vec<Bounds>,
+}
+
+impl<'a> BoxTree<'a> {
+    /// Builds the tree of all boxes. O(n log n).
+    pub fn new(boxes: &'a [Bounds]) -> AllocResult<Self> {
+        let centers = boxes.iter().map(|[low, high]| -> [f64; 3] {
+            std::array::from_fn(|k| 0.5 * low[k] + 0.5 * high[k])
+        });
+        let centers = collected(centers)?;
+        let tree = Tree::of_all::<3>(centers.as_flattened())?;
+        let leaves = tree.leaf_count();
+        let mut bounds = filled(2 * leaves, NOTHING)?;
+        for node in (1..2 * leaves).rev() {
+            bounds[node] = match node >= leaves {
+                true => {
+                    let members = tree.members::<3>(node - leaves);
+                    union(members.map(|(member, _)| &boxes[member as usize]))
+                }
+                false => union([2 * node, 2 * node + 1].map(|half| &bounds[half])),
+            };
+        }
+        Ok(Self { boxes, tree, bounds })
+    }
+
+    /// Calls `visit` with all pairs of boxes that meet, of which the first has the smaller number.
+    /// O((n + k) log n) for k pairs, where boxes are not much larger than the gaps between them.
+    pub fn each_pair(
+        &self,
+        poll: Poll<'_>,
+        mut visit: impl FnMut([u32; 2], Poll<'_>) -> Result<()>,
+    ) -> Result<()> {
+        let leaves = self.tree.leaf_count();
+        let mut waiting = Vec::new();
+        waiting.try_push([1usize, 1])?;
+        let mut work = 0;
+        while let Some([one, other]) = waiting.pop() {
+            work += 1;
+            if !meet(&self.bounds[one], &self.bounds[other]) {
+                continue;
+            }
+            if one < leaves && one == other {
+                let [left, right] = [2 * one, 2 * one + 1];
+                waiting.try_extend(&[[left, right], [right, right], [left, left]])?;
+            } else if one < leaves {
+                // Nodes of a pair are on one level, or one level apart.
+                waiting.try_extend(&[[other, 2 * one + 1], [other, 2 * one]])?;
+            } else if other < leaves {
+                waiting.try_extend(&[[2 * other + 1, one], [2 * other, one]])?;
+            } else {
+                work += self.visit_leaves([one - leaves, other - leaves], poll, &mut visit)?;
+            }
+            if work >= PAIRS_OF_A_POLL {
+                poll(work / PAIRS_OF_A_POLL)?;
+                work %= PAIRS_OF_A_POLL;
+            }
+        }
+        Ok(())
+    }
+
+    /// Visits the pairs of boxes in two leaves, or in one. Returns the number of pairs tried.
+    fn visit_leaves(
+        &self,
+        [one, other]: [usize; 2],
+        poll: Poll<'_>,
+        visit: &mut impl FnMut([u32; 2], Poll<'_>) -> Result<()>,
+    ) -> Result<u32> {
+        let mut tried = 0;
+        for (rank, (first, _)) in self.tree.members::<3>(one).enumerate() {
+            let skipped = if one == other { rank + 1 } else { 0 };
+            for (second, _) in self.tree.members::<3>(other).skip(skipped) {
+                tried += 1;
+                let [a, b] = [first, second].map(|number| &self.boxes[number as usize]);
+                if meet(a, b) {
+                    visit([first.min(second), first.max(second)], poll)?;
+                }
+            }
+        }
+        Ok(tried)
+    }
+}
+
+/// Bounds of nothing.
+const NOTHING: Bounds = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+
+/// Returns the bounds of points.
+pub(super) fn bounds_of<'a>(points: impl Iterator<Item = &'a [f64; 3]>) -> Bounds {
+    points.fold(NOTHING, |[low, high], x| {
+        [std::array::from_fn(|k| low[k].min(x[k])), std::array::from_fn(|k| high[k].max(x[k]))]
+    })
+}
+
+fn union<'a>(boxes: impl IntoIterator<Item = &'a Bounds>) -> Bounds {
+    bounds_of(boxes.into_iter().flatten())
+}
+
+/// Returns true if two boxes share a point.
+#[inline]
+fn meet(a: &Bounds, b: &Bounds) -> bool {
+    (0..3).all(|k| a[0][k] <= b[1][k] && b[0][k] <= a[1][k])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::testing::Random;
+
+    #[test]
+    fn pairs_are_those_of_all_pairs() {
+        let mut random = Random(42);
+        for count in [1usize, 2, 3, 9, 17, 64, 65, 300] {
+            let boxes: Vec<Bounds> = (0..count)
+                .map(|_| {
+                    let corner = || std::array::from_fn(|_| random.integer(0, 12) as f64);
+                    let corners: Vec<[f64; 3]> = std::iter::repeat_with(corner).take(2).collect();
+                    bounds_of(corners.iter())
+                })
+                .collect();
+            let mut expected = Vec::new();
+            for second in 0..count {
+                for first in 0..second {
+                    if meet(&boxes[first], &boxes[second]) {
+                        expected.push([first as u32, second as u32]);
+                    }
+                }
+            }
+            let mut found = Vec::new();
+            let visit = |pair: [u32; 2], _: Poll<'_>| {
+                found.push(pair);
+                Ok(())
+            };
+            BoxTree::new(&boxes).unwrap().each_pair(&mut |_| Ok(()), visit).unwrap();
+            found.sort_unstable();
+            expected.sort_unstable();
+            assert_eq!(found, expected);
+        }
+    }
+}

@@ -1,0 +1,158 @@
+//! Two questions about facets: do they form closed surfaces, so that they alone determine what they
+//! enclose, and do they enclose anything.
+
+use super::sides::{Side, Sides};
+use crate::error::{Choice, Error, ErrorKind, Result, say};
+use crate::memory::{TryGrow, collected};
+use crate::mesh::{Arrangement, Inputs};
+use crate::numerics::{coordinates, orientation};
+use crate::options::Interior;
+use std::cmp::Ordering;
+
+/// Fails unless the facets of an arrangement form closed surfaces. For parity, every edge must be
+/// one of an even number of triangles; for winding, as many triangles must run through it in one
+/// direction as in the other. O(n log n).
+///
+/// # Errors
+/// `InvalidArgument` (an edge where surfaces do not close), `OutOfMemory`.
+pub fn check_closed_in_space(
+    inputs: &Inputs,
+    arrangement: &Arrangement,
+    interior: Interior,
+) -> Result<()> {
+    match first_open(arrangement, interior)? {
+        Some((ends, counts)) => Err(open_at(inputs, ends, counts, interior)),
+        None => Ok(()),
+    }
+}
+
+/// Returns true if the rule `interior` puts a region that the facets of an arrangement bound
+/// inside. Open surfaces enclose nothing under a rule that asks for closed ones. O(n log n).
+///
+/// # Errors
+/// `OutOfMemory`.
+pub fn encloses_in_space(
+    inputs: &Inputs,
+    arrangement: &Arrangement,
+    interior: Interior,
+) -> Result<bool> {
+    if first_open(arrangement, interior)?.is_some() {
+        return Ok(false);
+    }
+    // The regions before and behind a triangle differ by its balance, so that one of them is inside
+    // where the balance counts.
+    let mut balances =
+        arrangement.triangles.iter().map(|one| arrangement.facets[one.facet as usize].balance);
+    match interior {
+        Interior::Auto | Interior::Seeds => separates(inputs, arrangement),
+        Interior::Parity => Ok(balances.any(|balance| balance % 2 != 0)),
+        Interior::Winding => Ok(balances.any(|balance| balance != 0)),
+    }
+}
+
+/// Returns the first edge at which a surface is open, with the numbers of triangles that run
+/// through it upwards and downwards. [`Interior::Seeds`] does not need closed surfaces.
+fn first_open(
+    arrangement: &Arrangement,
+    interior: Interior,
+) -> Result<Option<([u32; 2], [u64; 2])>> {
+    if matches!(interior, Interior::Auto | Interior::Seeds) {
+        return Ok(None);
+    }
+    let triangles = collected(arrangement.triangles.iter().map(|triangle| triangle.vertices))?;
+    for group in Sides::of_triangles(&triangles)?.groups() {
+        let up = group.iter().filter(|side| side.runs_up(&triangles)).count() as u64;
+        let down = group.len() as u64 - up;
+        let is_open = match interior {
+            Interior::Parity => (up + down) % 2 != 0,
+            _ => up != down,
+        };
+        if is_open {
+            return Ok(Some((group[0].ends, [up, down])));
+        }
+    }
+    Ok(None)
+}
+
+fn open_at(inputs: &Inputs, ends: [u32; 2], [up, down]: [u64; 2], interior: Interior) -> Error {
+    let [from, to] = ends.map(|end| inputs.first_input(end as usize).unwrap_or(0));
+    let all = up + down;
+    let rule = Choice::Interior(interior);
+    let message = match interior {
+        Interior::Parity => say!(
+            "the edge between inputs {from} and {to} is one of {all} triangles; with ",
+            rule,
+            " that number must be even at every edge, so that all surfaces are closed"
+        ),
+        _ => say!(
+            "{up} triangles run from input {from} to {to} and {down} back; with ",
+            rule,
+            " these must be equally many at every edge, so that all surfaces are closed"
+        ),
+    };
+    Error::new(ErrorKind::InvalidArgument, message)
+}
+
+/// Returns true if the facets divide space.
+///
+/// A triangle divides it if no way leads from its front to its back over the fronts and backs of
+/// triangles around edges: pieces of the surface that share no more than a vertex can be drawn
+/// apart there, which divides or joins nothing, and then the ways along a connected surface reach
+/// all that bounds one region.
+fn separates(inputs: &Inputs, arrangement: &Arrangement) -> Result<bool> {
+    let triangles = collected(arrangement.triangles.iter().map(|triangle| triangle.vertices))?;
+    // A forest with a tree for each connected set of fronts (2 i) and backs (2 i + 1).
+    let mut parents = collected(0..2 * triangles.len())?;
+    let mut around: Vec<Side> = Vec::new();
+    for group in Sides::of_triangles(&triangles)?.groups() {
+        around.clear();
+        around.try_extend(group)?;
+        if around.len() > 2 {
+            sort_around(inputs, &triangles, &mut around);
+        }
+        for (at, one) in around.iter().enumerate() {
+            let next = &around[(at + 1) % around.len()];
+            // Turning counterclockwise about the edge, a triangle that runs up is met at its back.
+            let front = usize::from(!one.runs_up(&triangles));
+            let back = usize::from(next.runs_up(&triangles));
+            let ways = [2 * one.triangle as usize + front, 2 * next.triangle as usize + back];
+            let [a, b] = ways.map(|side| root_of(&mut parents, side));
+            parents[a] = b;
+        }
+    }
+    let mut sides = 0..triangles.len();
+    Ok(sides.any(|at| root_of(&mut parents, 2 * at) != root_of(&mut parents, 2 * at + 1)))
+}
+
+/// Sorts the triangles at an edge counterclockwise, as the edge points to the eye.
+fn sort_around(inputs: &Inputs, triangles: &[[u32; 3]], around: &mut [Side]) {
+    let point =
+        |vertex: u32| -> &[f64; 3] { coordinates(inputs.distinct_point(vertex as usize), 0) };
+    let [from, to] = around[0].ends.map(point);
+    let first = point(around[0].within(triangles).1);
+    let turn = |a: &[f64; 3], b: &[f64; 3]| orientation(&[from, to, a, b]);
+    let half = |x: &[f64; 3]| match turn(first, x) {
+        _ if x == first => 0,
+        sign if sign.is_positive() => 1,
+        sign if sign.is_zero() => 2,
+        _ => 3,
+    };
+    around.sort_by(|a, b| {
+        let [a, b] = [a, b].map(|side| point(side.within(triangles).1));
+        half(a).cmp(&half(b)).then_with(|| match turn(a, b) {
+            sign if sign.is_positive() => Ordering::Less,
+            sign if sign.is_negative() => Ordering::Greater,
+            _ => Ordering::Equal,
+        })
+    });
+}
+
+/// Returns the root of a tree, and halves the path to it.
+fn root_of(parents: &mut [usize], side: usize) -> usize {
+    let mut side = side;
+    while parents[side] != side {
+        parents[side] = parents[parents[side]];
+        side = parents[side];
+    }
+    side
+}

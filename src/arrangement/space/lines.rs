@@ -1,0 +1,44 @@
+//! The lines of an arrangement: segments, and edges at which facets end.
+
+use super::sides::{Side, Sides};
+use crate::memory::{AllocResult, TryGrow, collected, with_capacity};
+use crate::mesh::{FacetTriangle, NONE, Segments, Subsegment};
+
+/// Returns the lines: first the caller's segments, of those between the same vertices the first,
+/// then by their vertices all other edges at which more or fewer than two triangles of one facet
+/// meet, and `lines` that facets have besides. Also returns the number of segments left out.
+/// O(n log n).
+pub(super) fn lines(
+    triangles: &[FacetTriangle],
+    segments: &Segments,
+    vertex: impl Fn(u32) -> u32,
+    lines: &[[u32; 2]],
+) -> AllocResult<(Vec<Subsegment>, u64)> {
+    let ordered = |[x, y]: [u32; 2]| [x.min(y), x.max(y)];
+    let own = segments.inputs.iter().map(|ends| ordered(ends.map(&vertex)));
+    let mut own: Vec<([u32; 2], u32)> = collected(own.zip(0u32..))?;
+    own.sort_unstable();
+    own.dedup_by_key(|(ends, _)| *ends);
+    let covered = segments.inputs.len() - own.len();
+    let is_own = |ends: &[u32; 2]| own.binary_search_by_key(ends, |(ends, _)| *ends).is_ok();
+    let mut others = collected(lines.iter().map(|&ends| ordered(ends)))?;
+    let vertices = collected(triangles.iter().map(|triangle| triangle.vertices))?;
+    for group in Sides::of_triangles(&vertices)?.groups() {
+        let facet = |side: &Side| triangles[side.triangle as usize].facet;
+        let is_inner = matches!(group, [a, b] if facet(a) == facet(b));
+        if !is_inner {
+            others.try_push(group[0].ends)?;
+        }
+    }
+    others.sort_unstable();
+    others.dedup();
+    others.retain(|ends| !is_own(ends));
+    own.sort_unstable_by_key(|&(_, segment)| segment);
+    let mut all = with_capacity(own.len() + others.len())?;
+    for (_, segment) in own {
+        let ends = segments.inputs[segment as usize].map(&vertex);
+        all.push(Subsegment { ends, segment, balance: 0 });
+    }
+    all.extend(others.into_iter().map(|ends| Subsegment { ends, segment: NONE, balance: 0 }));
+    Ok((all, covered as u64))
+}

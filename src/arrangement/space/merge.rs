@@ -1,0 +1,132 @@
+//! Triangles of a surface that share edges, lie in one plane and have one marker, as one facet.
+
+use super::bends::{Hinge, ROUNDING, normal, normalized, sine_of};
+use super::projection::Projection;
+use super::sides::Sides;
+use crate::arrangement::poll::Poll;
+use crate::error::Result;
+use crate::memory::{Lists, TryGrow, collected, enqueue, filled, with_capacity};
+use crate::mesh::NONE;
+use crate::numerics::norm;
+use std::cmp::Reverse;
+use std::collections::VecDeque;
+
+/// Number of polls' units of work for one pair of neighbours.
+const WORK: u32 = 2;
+
+/// Returns for each triangle the first triangle of its facet. Triangles are of one facet if a way
+/// leads from one to the other over edges at which they bend by at most `coplanar` degrees (0: by
+/// no more than rounding explains), and if none is turned by more from the one that the facet grew
+/// from. Facets grow from their first triangles, or with an angle from their largest. O(n log n).
+pub(super) fn merged(
+    points: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    markers: &[i32],
+    coplanar: f64,
+    poll: Poll<'_>,
+) -> Result<Vec<u32>> {
+    let sine = sine_of(coplanar);
+    let neighbors = flat_neighbors(points, triangles, markers, sine, poll)?;
+    let corners = |triangle: u32| triangles[triangle as usize].map(|v| &points[v as usize]);
+    let mut seeds = collected(0..triangles.len() as u32)?;
+    if sine > ROUNDING {
+        let size = |&triangle: &u32| {
+            let (normal, exponent) = normalized(normal(corners(triangle)));
+            (Reverse(exponent), Reverse((norm(&normal) * 1e6) as u64), triangle)
+        };
+        seeds.sort_by_cached_key(size);
+    }
+    let mut facets = filled(triangles.len(), NONE)?;
+    let (mut members, mut waiting) = (Vec::new(), VecDeque::new());
+    for seed in seeds {
+        if facets[seed as usize] != NONE {
+            continue;
+        }
+        let Some(frame) = Frame::of(corners(seed), sine) else { continue };
+        facets[seed as usize] = seed;
+        members.clear();
+        enqueue(&mut waiting, seed)?;
+        while let Some(triangle) = waiting.pop_front() {
+            members.try_push(triangle)?;
+            for &next in neighbors.of(triangle as usize) {
+                if facets[next as usize] == NONE && frame.contains(corners(next)) {
+                    facets[next as usize] = seed;
+                    enqueue(&mut waiting, next)?;
+                }
+            }
+        }
+        let first = members.iter().copied().min().unwrap_or(seed);
+        members.iter().for_each(|&member| facets[member as usize] = first);
+    }
+    Ok(facets)
+}
+
+/// Plane from which the triangles of a facet are not turned much.
+struct Frame {
+    projection: Projection,
+    is_positive: bool,
+    /// Normal of length 1 where triangles may be turned by an angle; `None` where only the edges
+    /// between them count.
+    normal: Option<[f64; 3]>,
+    cosine: f64,
+}
+
+impl Frame {
+    fn of(corners: [&[f64; 3]; 3], sine: f64) -> Option<Self> {
+        let projection = Projection::of_triangle(corners)?;
+        Some(Self {
+            projection,
+            is_positive: projection.turn(corners).is_positive(),
+            normal: (sine > ROUNDING).then(|| unit_normal(corners)),
+            cosine: (1.0 - sine * sine).max(0.0).sqrt(),
+        })
+    }
+
+    /// Returns true if a triangle turns as the facet does in its projection, exactly, and is not
+    /// turned from its plane by more than the angle.
+    fn contains(&self, corners: [&[f64; 3]; 3]) -> bool {
+        let turn = self.projection.turn(corners);
+        let is_alike = if self.is_positive { turn.is_positive() } else { turn.is_negative() };
+        is_alike
+            && self.normal.is_none_or(|normal| {
+                let other = unit_normal(corners);
+                (0..3).map(|k| normal[k] * other[k]).sum::<f64>() >= self.cosine
+            })
+    }
+}
+
+fn unit_normal(corners: [&[f64; 3]; 3]) -> [f64; 3] {
+    let (normal, _) = normalized(normal(corners));
+    let length = norm(&normal);
+    normal.map(|x| x / length)
+}
+
+/// Returns for each triangle those beyond an edge at which the two are flat and have one marker.
+fn flat_neighbors(
+    points: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    markers: &[i32],
+    sine: f64,
+    poll: Poll<'_>,
+) -> Result<Lists> {
+    let sides = Sides::of_triangles(triangles)?;
+    let point = |vertex: u32| &points[vertex as usize];
+    let mut pairs = with_capacity(triangles.len())?;
+    for group in sides.groups() {
+        poll(WORK)?;
+        for (at, one) in group.iter().enumerate() {
+            for other in &group[at + 1..] {
+                let (edge, c) = one.within(triangles);
+                let ([to, from], d) = other.within(triangles);
+                let [t, u] = [one, other].map(|side| side.triangle);
+                let are_alike = markers[t as usize] == markers[u as usize];
+                let hinge = Hinge { edge: edge.map(point), apexes: [c, d].map(point) };
+                if edge == [from, to] && are_alike && hinge.is_flat(sine) {
+                    pairs.try_push([t, u])?;
+                }
+            }
+        }
+    }
+    let both = || pairs.iter().flat_map(|&[t, u]| [(t, u), (u, t)]);
+    Ok(Lists::of_pairs(triangles.len(), both)?)
+}

@@ -1,0 +1,157 @@
+//! The caller's facets and segments in space, which must meet only in what they have in common,
+//! exactly.
+//!
+//! - [`polygon`] splits a polygon facet into triangles between its vertices, by a triangulation
+//!   that has its edges ([`planar`]) in a [`projection`] of its [`plane`]; [`pieces`] has the
+//!   triangles of all facets, and the segments.
+//! - [`boxes`] finds pairs of these whose boxes meet, [`meet`] tells exactly whether and how two
+//!   meet, and [`intersections`] collects all that must not; [`crossed`] does that for the edges of
+//!   one polygon. [`faults`] has the words for what is refused.
+//! - [`merge`] makes one facet of triangles that [`bends`] shows to be in one plane; [`lines`]
+//!   has the edges at which facets end.
+//! - [`closed`] tells whether facets are closed surfaces, and whether they enclose something;
+//!   [`sides`] has what meets at an edge.
+
+mod bends;
+mod boxes;
+mod closed;
+mod crossed;
+mod faults;
+mod intersections;
+mod lines;
+mod meet;
+#[cfg(test)]
+mod meet_tests;
+mod merge;
+#[cfg(test)]
+mod oracle;
+mod pieces;
+mod planar;
+mod plane;
+mod polygon;
+mod projection;
+mod sides;
+#[cfg(test)]
+mod tests;
+
+pub use closed::{check_closed_in_space, encloses_in_space};
+
+use super::poll::Poll;
+use crate::error::Result;
+use crate::memory::{AllocResult, TryGrow, collected, copied, filled, with_capacity};
+use crate::mesh::{
+    ArrangedFacet, Arrangement, FacetTriangle, Facets, Feature, Inputs, Intersection, NONE, Region,
+    Segments,
+};
+use crate::numerics::coordinates;
+use faults::{not_plane, refused};
+use pieces::{Piece, Pieces};
+
+/// Facets and segments in space to arrange.
+#[derive(Clone, Copy)]
+pub struct TaskInSpace<'a> {
+    pub inputs: &'a Inputs,
+    pub facets: &'a Facets,
+    pub segments: &'a Segments,
+    pub regions: &'a [Region],
+    /// Largest angle in degrees by which triangles of one facet bend; 0 for what rounding explains.
+    pub coplanar: f64,
+}
+
+/// Returns the arrangement of facets and segments between inputs in space. Expected O((n + k) log
+/// n) for n triangles and segments, of which k pairs have bounding boxes that meet. `poll` is told
+/// of the work of each step, and may end the operation.
+///
+/// # Errors
+/// `InvalidArgument` (facets or segments that meet in more than vertices and edges of both, facets
+/// that meet themselves, have no area or are not plane), `OutOfMemory`, and those of `poll`.
+pub fn arrange_in_space(task: &TaskInSpace<'_>, poll: Poll<'_>) -> Result<Arrangement> {
+    let TaskInSpace { inputs, facets, segments, .. } = *task;
+    let points = points_of(inputs)?;
+    let pieces = Pieces::new(&points, inputs, facets, segments, task.coplanar, poll)?;
+    if let Some((facet, off)) = &pieces.off_plane {
+        return Err(not_plane(inputs, *facet, off));
+    }
+    let found = intersections::all(&points, &pieces, poll)?;
+    if let Some(first) = found.first() {
+        return Err(refused(facets, first, found.len()));
+    }
+    let mut arrangement = Arrangement { regions: copied(task.regions)?, ..Arrangement::default() };
+    match facets.are_triangles {
+        true => add_surface(&points, task, &pieces.all, &mut arrangement, poll)?,
+        false => add_polygons(facets, &pieces.all, &mut arrangement)?,
+    }
+    let vertex = |input: u32| inputs.vertices()[input as usize];
+    (arrangement.subsegments, arrangement.covered_segments) =
+        lines::lines(&arrangement.triangles, segments, vertex, &pieces.lines)?;
+    Ok(arrangement)
+}
+
+/// Returns all pairs of facets and segments that meet in more than vertices and edges of both, and
+/// the facets that meet themselves or have no area. Facets come before segments, both in their
+/// order; each pair comes once. Polygons that are not plane are seen as the triangles that they
+/// consist of in a projection. O((n + k) log n), as for [`arrange_in_space`].
+///
+/// # Errors
+/// `OutOfMemory`, and those of `poll`.
+pub fn find_intersections(
+    inputs: &Inputs,
+    facets: &Facets,
+    segments: &Segments,
+    poll: Poll<'_>,
+) -> Result<Vec<Intersection>> {
+    let points = points_of(inputs)?;
+    let pieces = Pieces::new(&points, inputs, facets, segments, 0.0, poll)?;
+    intersections::all(&points, &pieces, poll)
+}
+
+fn points_of(inputs: &Inputs) -> AllocResult<Vec<[f64; 3]>> {
+    let vertices = (0..inputs.distinct()).map(|vertex| inputs.distinct_point(vertex));
+    collected(vertices.map(|point| *coordinates::<3>(point, 0)))
+}
+
+/// Fills an arrangement with the facets of a surface: its triangles, merged where they are plane.
+fn add_surface(
+    points: &[[f64; 3]],
+    task: &TaskInSpace<'_>,
+    pieces: &[Piece],
+    arrangement: &mut Arrangement,
+    poll: Poll<'_>,
+) -> Result<()> {
+    let triangles = collected(pieces.iter().filter_map(Piece::triangle))?;
+    let markers = &task.facets.markers;
+    let firsts = merge::merged(points, &triangles, markers, task.coplanar, poll)?;
+    let mut numbers = filled(triangles.len(), NONE)?;
+    for (triangle, &first) in firsts.iter().enumerate().filter(|&(at, &first)| at == first as usize)
+    {
+        numbers[triangle] = arrangement.facets.len() as u32;
+        arrangement.facets.try_push(ArrangedFacet { parent: first, balance: 1 })?;
+    }
+    arrangement.triangles = with_capacity(triangles.len())?;
+    arrangement.triangles.extend(
+        triangles
+            .iter()
+            .zip(&firsts)
+            .map(|(&vertices, &first)| FacetTriangle { vertices, facet: numbers[first as usize] }),
+    );
+    // The order of the triangles within a facet is the caller's.
+    arrangement.triangles.sort_by_key(|triangle| triangle.facet);
+    Ok(())
+}
+
+/// Fills an arrangement with polygon facets.
+fn add_polygons(
+    facets: &Facets,
+    pieces: &[Piece],
+    arrangement: &mut Arrangement,
+) -> AllocResult<()> {
+    arrangement.facets = with_capacity(facets.count())?;
+    let all = 0..facets.count() as u32;
+    arrangement.facets.extend(all.map(|parent| ArrangedFacet { parent, balance: 1 }));
+    for piece in pieces {
+        if let (Feature::Facet(facet), Some(vertices)) = (piece.feature, piece.triangle()) {
+            arrangement.triangles.try_push(FacetTriangle { vertices, facet })?;
+        }
+    }
+    Ok(())
+}

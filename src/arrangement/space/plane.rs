@@ -1,0 +1,142 @@
+//! The plane of a polygon: three of its vertices, and how far the others are from it.
+
+use super::projection::Projection;
+use crate::arrangement::reach::{NEAR, unit_in_last_place};
+use crate::numerics::{Edges, affine_basis, distance, norm, orientation, scale_by_power};
+
+/// Plane through three vertices of a polygon that are far from each other.
+#[derive(Clone, Copy)]
+pub(super) struct Plane {
+    base: [u32; 3],
+    pub projection: Projection,
+}
+
+/// Vertex that is off a plane by more than rounding explains.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct OffPlane {
+    pub vertex: u32,
+    pub distance: f64,
+}
+
+impl Plane {
+    /// Returns a plane of vertices; `None` if they are all on one line.
+    pub fn of(points: &[[f64; 3]], vertices: &[u32]) -> Option<Self> {
+        let point = |vertex: u32| &points[vertex as usize];
+        let farthest = |size: &dyn Fn(u32) -> f64| {
+            vertices.iter().copied().reduce(|a, b| if size(b) > size(a) { b } else { a })
+        };
+        let start = *vertices.first()?;
+        let a = farthest(&|vertex| distance(point(start), point(vertex)))?;
+        let b = farthest(&|vertex| distance(point(a), point(vertex)))?;
+        let c = farthest(&|vertex| from_line([point(a), point(b)], point(vertex)))?;
+        let of = |base: [u32; 3]| {
+            let projection = Projection::of_triangle(base.map(point))?;
+            Some(Self { base, projection })
+        };
+        of([a, b, c]).or_else(|| {
+            let basis = affine_basis::<3>(vertices.len(), |at| *point(vertices[at]));
+            match basis[..] {
+                [a, b, c, ..] => of([a, b, c].map(|at| vertices[at])),
+                _ => None,
+            }
+        })
+    }
+
+    /// Returns the vertex that is farthest from the plane, in units of what rounding explains;
+    /// `None` if rounding explains all.
+    ///
+    /// A vertex is on the plane if boxes about it and about the three vertices of the plane, which
+    /// extend by [`NEAR`] units in the last place of the polygon's largest coordinates, have points
+    /// in one plane.
+    pub fn farthest(&self, points: &[[f64; 3]], vertices: &[u32]) -> Option<OffPlane> {
+        let point = |vertex: u32| &points[vertex as usize];
+        let [a, b, c] = self.base.map(point);
+        let is_off = |x: &[f64; 3]| !orientation(&[a, b, c, x]).is_zero();
+        if !vertices.iter().any(|&vertex| is_off(point(vertex))) {
+            return None;
+        }
+        let largest = |k: usize| vertices.iter().fold(0.0f64, |x, &v| x.max(point(v)[k].abs()));
+        let units: [f64; 3] = std::array::from_fn(|k| unit_in_last_place(largest(k)));
+        let gauge = Gauge::new([a, b, c], units);
+        let mut worst = (1.0, None);
+        for &vertex in vertices.iter().filter(|&&vertex| is_off(point(vertex))) {
+            let (excess, distance) = gauge.measure(point(vertex));
+            if excess > worst.0 {
+                worst = (excess, Some(OffPlane { vertex, distance }));
+            }
+        }
+        worst.1
+    }
+}
+
+/// Distances from a plane, and what rounding explains of them.
+struct Gauge<'a> {
+    base: [&'a [f64; 3]; 3],
+    /// Normal of the plane: twice the projected areas of the base, divided by 2^`exponent`.
+    normal: [f64; 3],
+    exponent: i64,
+    /// Units of the axes, divided by 2^`unit_exponent`.
+    units: [f64; 3],
+    unit_exponent: i64,
+}
+
+impl<'a> Gauge<'a> {
+    fn new(base: [&'a [f64; 3]; 3], units: [f64; 3]) -> Self {
+        let areas = Projection::ALL.map(|projection| area(projection, base));
+        let exponents = areas.iter().filter(|(m, _)| *m != 0.0).map(|&(_, exponent)| exponent);
+        let exponent = exponents.max().unwrap_or(0);
+        let unit = units.iter().fold(0.0f64, |largest, &unit| largest.max(unit));
+        let unit_exponent = i64::from(((unit.to_bits() >> 52) as i32).max(1) - 1023);
+        Self {
+            base,
+            normal: areas.map(|(m, e)| scale_by_power(m, e - exponent)),
+            exponent,
+            units: units.map(|unit| scale_by_power(unit, -unit_exponent)),
+            unit_exponent,
+        }
+    }
+
+    /// Returns the distance of a point from the plane, first in what rounding explains at most, and
+    /// then as a length.
+    fn measure(&self, x: &[f64; 3]) -> (f64, f64) {
+        let [a, b, c] = self.base;
+        let (volume, exponent) = Edges::new(a, [b, c, x].into_iter()).determinant_of_components();
+        let volume = |shift: i64| scale_by_power(volume.abs(), exponent - self.exponent - shift);
+        let explained: f64 = (0..3).map(|k| NEAR * self.normal[k].abs() * self.units[k]).sum();
+        let excess = volume(self.unit_exponent) / (explained * (1.0 + self.weights(x)));
+        (excess, volume(0) / norm(&self.normal))
+    }
+
+    /// Returns the sum of the magnitudes of a point's barycentric coordinates in the base, projected
+    /// along the longest component of the normal.
+    fn weights(&self, x: &[f64; 3]) -> f64 {
+        let longest = |a: usize, b: usize| self.normal[b].abs() > self.normal[a].abs();
+        let axis = (1..3).fold(0, |axis, k| if longest(axis, k) { k } else { axis });
+        let projection = Projection::ALL[axis];
+        let [a, b, c] = self.base;
+        let whole = self.normal[axis].abs();
+        [[x, b, c], [a, x, c], [a, b, x]]
+            .map(|corners| {
+                let (m, e) = area(projection, corners);
+                scale_by_power(m.abs(), e - self.exponent) / whole
+            })
+            .iter()
+            .sum()
+    }
+}
+
+/// Returns twice the area of a projected triangle as `(m, e)`: m * 2^e.
+fn area(projection: Projection, corners: [&[f64; 3]; 3]) -> (f64, i64) {
+    let [a, b, c] = corners.map(|corner| projection.image(corner));
+    Edges::new(&a, [&b, &c].into_iter()).determinant_of_components()
+}
+
+/// Returns a number that grows with the distance of a point from a line, but for roundings.
+fn from_line([a, b]: [&[f64; 3]; 2], x: &[f64; 3]) -> f64 {
+    let way: [f64; 3] = std::array::from_fn(|k| 0.5 * b[k] - 0.5 * a[k]);
+    let longest = way.iter().fold(0.0f64, |longest, step| longest.max(step.abs()));
+    let u = way.map(|step| step / longest);
+    let v: [f64; 3] = std::array::from_fn(|k| (0.5 * x[k] - 0.5 * a[k]) / longest);
+    let cross = |k: usize| u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
+    norm(&[cross(0), cross(1), cross(2)])
+}

@@ -1,0 +1,51 @@
+//! Projections of space along an axis, which are exact: they drop a coordinate.
+
+use crate::numerics::{Sign, orientation};
+
+/// Projection along an axis. Triangles that turn counterclockwise in it have a normal with a
+/// positive component on this axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Projection {
+    axis: usize,
+}
+
+impl Projection {
+    /// Projections along all axes.
+    pub const ALL: [Self; 3] = [Self { axis: 0 }, Self { axis: 1 }, Self { axis: 2 }];
+
+    /// Returns the projection of a triangle in which it is largest, but for roundings; `None` if it
+    /// has no area.
+    pub fn of_triangle(corners: [&[f64; 3]; 3]) -> Option<Self> {
+        let normal = approximate_normal(corners);
+        let mut all = Self::ALL;
+        // Stable: of equal components the one on the last axis is the first.
+        all.reverse();
+        all.sort_by(|a, b| normal[b.axis].abs().total_cmp(&normal[a.axis].abs()));
+        all.into_iter().find(|projection| !projection.turn(corners).is_zero())
+    }
+
+    /// Returns the image of a point.
+    #[inline]
+    pub fn image(self, x: &[f64; 3]) -> [f64; 2] {
+        [x[(self.axis + 1) % 3], x[(self.axis + 2) % 3]]
+    }
+
+    /// Returns the sign of the area of a projected triangle, exactly: positive if it turns
+    /// counterclockwise.
+    pub fn turn(self, corners: [&[f64; 3]; 3]) -> Sign {
+        let images = corners.map(|corner| self.image(corner));
+        let [a, b, c] = images.each_ref();
+        orientation(&[a, b, c])
+    }
+}
+
+/// Returns a normal of a triangle, of any length, but for roundings; zeros where doubles cannot
+/// tell it.
+fn approximate_normal([a, b, c]: [&[f64; 3]; 3]) -> [f64; 3] {
+    let [u, v] = [b, c].map(|end| {
+        let way: [f64; 3] = std::array::from_fn(|k| 0.5 * end[k] - 0.5 * a[k]);
+        let longest = way.iter().fold(0.0f64, |longest, step| longest.max(step.abs()));
+        way.map(|step| if longest > 0.0 { step / longest } else { 0.0 })
+    });
+    std::array::from_fn(|k| u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3])
+}

@@ -1,0 +1,3 @@
+//! Arrangements in space.
+
+use super::*;

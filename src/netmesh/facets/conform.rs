@@ -1,0 +1,59 @@
+//! From the points to a mesh that conforms to segments and facets in space.
+
+use crate::complex::VertexId;
+use crate::delaunay::Cavity;
+use crate::error::Result;
+use crate::memory::{AllocResult, collected, with_capacity};
+use crate::mesh::{Arrangement, Subsegment};
+use crate::netmesh::state::Mesher;
+use crate::netmesh::state::facets::plane::Plane;
+use crate::netmesh::state::facets::{Facet, Facets};
+use crate::netmesh::state::segments::chain::{Chains, Line};
+
+impl Mesher<'_, '_, 3> {
+    /// Inserts the inputs, makes all segments chains of edges and all facets sheets of faces, and
+    /// finds the regions between them. No bound counts meanwhile.
+    pub(in crate::netmesh) fn conform_to_facets(
+        &mut self,
+        arrangement: &Arrangement,
+        cavity: &mut Cavity,
+    ) -> Result<()> {
+        self.state.stage.bound = f64::INFINITY;
+        let center = self.start_outer_cage(cavity)?;
+        self.insert_points(center, cavity)?;
+        let vertices = self.vertices_of_inputs()?;
+        let mut lines = with_capacity(arrangement.subsegments.len())?;
+        for &Subsegment { ends, segment, balance } in &arrangement.subsegments {
+            let ends = ends.map(|end| vertices[end as usize]);
+            // Any angle may be between facets at the ends: shells are right for all.
+            lines.push(Line { ends, segment, is_sharp: [true; 2], balance });
+        }
+        self.state.segments.chains = Chains::new(lines, self.state.delaunay.point_count())?;
+        self.state.facets = self.sheets_of(arrangement, &vertices)?;
+        self.state.make_sheets_delaunay()?;
+        self.recover_boundary(cavity)?;
+        self.state.find_regions()?;
+        self.judge_regions(&arrangement.regions)
+    }
+
+    /// Returns the facets of the arrangement.
+    fn sheets_of(&self, arrangement: &Arrangement, vertices: &[VertexId]) -> AllocResult<Facets> {
+        let triangles = collected(arrangement.triangles.iter().map(|triangle| {
+            (triangle.vertices.map(|input| vertices[input as usize]), triangle.facet)
+        }))?;
+        let mut facets = with_capacity(arrangement.facets.len())?;
+        let mut rest = &triangles[..];
+        for (number, facet) in (0..).zip(&arrangement.facets) {
+            let own = rest.iter().take_while(|triangle| triangle.1 == number).count();
+            let points = rest[..own]
+                .iter()
+                .map(|triangle| triangle.0.map(|vertex| *self.state.delaunay.point(vertex)));
+            let plane = Plane::of(&collected(points)?);
+            facets.push(Facet { parent: facet.parent, plane });
+            rest = &rest[own..];
+        }
+        let balances = collected(arrangement.facets.iter().map(|facet| facet.balance))?;
+        let count = self.state.delaunay.point_count();
+        Facets::new(facets, &balances, &triangles, &self.state.segments.chains, count)
+    }
+}

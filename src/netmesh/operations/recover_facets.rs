@@ -1,0 +1,241 @@
+//! Recovery of facets: every subfacet becomes a face of the mesh, and stays one. It needs not be
+//! empty of other vertices in its smallest ball, as a Gabriel face is: a face of the Delaunay
+//! triangulation is enough, and needs far fewer vertices.
+
+use crate::complex::{SimplexId, VertexId};
+use crate::delaunay::Cavity;
+use crate::error::Result;
+use crate::memory::{AllocResult, TryGrow};
+use crate::mesh::NONE;
+use crate::netmesh::operations::recover::Encroachment;
+use crate::netmesh::questions::subfacets::OnSheet;
+use crate::netmesh::state::{Mesher, State};
+use crate::numerics::{distance, in_diametral_ball, shortest_distance};
+
+/// Four vertices of a facet are on one circle, as far as a sheet has to care, if the sine of
+/// [`State::diagonal`] is below this: then the mesh says which diagonal is an edge.
+const COCIRCULAR: f64 = 1e-7;
+
+/// A simplex may ask for a split only where the radius of what is split, relative to its shortest
+/// edge, is as large as this.
+const GUARD: f64 = 0.7;
+
+/// Part of the boundary that is to be split.
+#[derive(Clone, Copy)]
+pub(super) enum Split {
+    Subsegment(u32),
+    /// A subfacet, and the place of a vertex for it.
+    Subfacet(u32, [f64; 3]),
+}
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Splits one subfacet that is no face of the mesh, or the subsegment that is in its way. False
+    /// if none waits.
+    pub(super) fn recover_next_subfacet(&mut self, cavity: &mut Cavity) -> Result<bool> {
+        self.watch.poll_after(8)?;
+        let Some(state) = self.state.in_space() else { return Ok(false) };
+        let Some(subfacet) = state.next_missing()? else { return Ok(false) };
+        let split = state.split_for(subfacet)?;
+        if !self.split_boundary(split, cavity)? {
+            if let Some(state) = self.state.in_space() {
+                state.limit_subfacet(subfacet);
+            }
+        }
+        Ok(true)
+    }
+
+    /// Splits a part of the boundary; false where doubles have no room for a vertex on it.
+    fn split_boundary(&mut self, split: Split, cavity: &mut Cavity) -> Result<bool> {
+        match split {
+            Split::Subsegment(subsegment) => self.split(subsegment, cavity),
+            Split::Subfacet(subfacet, x) => self.split_subfacet(subfacet, &x, cavity),
+        }
+    }
+
+    /// Inserts a vertex at `x` into a facet, or splits the subsegments that it would encroach; false
+    /// where doubles have no room for either.
+    fn split_subfacet(&mut self, subfacet: u32, x: &[f64; 3], cavity: &mut Cavity) -> Result<bool> {
+        let Some(state) = self.state.in_space() else { return Ok(false) };
+        let near = state.facets.get(subfacet).vertices[0];
+        let start = state.delaunay.complex().incident(near);
+        if state.delaunay.vertex_at(start, x).is_some() {
+            return Ok(false);
+        }
+        let Some(start) = state.delaunay.locate(start, x) else { return Ok(false) };
+        state.delaunay.find_cavity(start, x, cavity)?;
+        state.find_encroached_in_space(x, cavity)?;
+        let mut encroached = std::mem::take(&mut state.facets.near.subsegments);
+        let mut is_any = false;
+        for &(subsegment, _) in &encroached {
+            is_any |= self.split(subsegment, cavity)?;
+        }
+        encroached.clear();
+        let Some(state) = self.state.in_space() else { return Ok(false) };
+        state.facets.near.subsegments = encroached;
+        if is_any {
+            return Ok(true);
+        }
+        // The splits that failed have changed nothing, but have searched cavities of their own.
+        let place: [f64; D] = std::array::from_fn(|axis| x[axis]);
+        let near = self.state.delaunay.complex().incident(near);
+        let Some(start) = self.state.delaunay.locate(near, &place) else { return Ok(false) };
+        self.state.delaunay.find_cavity(start, &place, cavity)?;
+        let domain = self.enter_from_segment(&place, cavity)?;
+        let vertex = self.state.add_vertex(place)?;
+        self.state.hierarchy.set_domain(vertex, domain);
+        let Some(state) = self.state.in_space() else { return Ok(false) };
+        if !state.put_in_sheet(subfacet, vertex)? {
+            state.removed.try_push(vertex)?;
+            return Ok(false);
+        }
+        self.state.stats.segment_points += 1;
+        self.insert_into_cavity(vertex, cavity)?;
+        Ok(true)
+    }
+
+    /// Splits what a Steiner point at `x` for a simplex would encroach in space, subsegments first.
+    pub(super) fn split_encroached_in_space(
+        &mut self,
+        simplex: SimplexId,
+        x: &[f64; D],
+        cavity: &mut Cavity,
+    ) -> Result<Encroachment> {
+        let place = std::array::from_fn(|axis| x[axis]);
+        let Some(state) = self.state.in_space() else { return Ok(Encroachment::None) };
+        if !state.find_encroached_in_space(&place, cavity)? {
+            return Ok(Encroachment::None);
+        }
+        state.keep_large(simplex);
+        let near = std::mem::take(&mut state.facets.near);
+        if near.subsegments.is_empty() && near.subfacets.is_empty() {
+            return Ok(Encroachment::Refused);
+        }
+        let mut is_any = false;
+        for &(subsegment, _) in &near.subsegments {
+            is_any |= self.split(subsegment, cavity)?;
+        }
+        if !is_any {
+            for &(subfacet, _) in &near.subfacets {
+                let Some(state) = self.state.in_space() else { break };
+                if state.facets.is_limited(subfacet) {
+                    continue;
+                }
+                let split = state.split_for(subfacet)?;
+                is_any |= self.split_boundary(split, cavity)?;
+            }
+        }
+        if let Some(state) = self.state.in_space() {
+            state.facets.near = near;
+        }
+        self.recover_boundary(cavity)?;
+        Ok(if is_any { Encroachment::Split } else { Encroachment::TooShort })
+    }
+}
+
+impl State<3> {
+    /// Returns the next subfacet that is no face of the mesh, after the sheets have followed the
+    /// mesh where vertices are on one circle.
+    fn next_missing(&mut self) -> AllocResult<Option<u32>> {
+        while let Some(subfacet) = self.facets.next() {
+            let vertices = self.facets.get(subfacet).vertices;
+            if !self.has_face(&vertices)? && !self.follow(subfacet)? {
+                return Ok(Some(subfacet));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Flips an edge of a subfacet that is missing if the mesh has the other diagonal, and the four
+    /// vertices are on one circle within roundings or the mesh has both triangles.
+    fn follow(&mut self, subfacet: u32) -> AllocResult<bool> {
+        for edge in 0..3 {
+            let own = *self.facets.get(subfacet);
+            if own.subsegments[edge] != NONE {
+                continue;
+            }
+            let (sine, is_convex) = self.diagonal(subfacet, edge);
+            let (apex, beyond) = (own.vertices[edge], self.opposite(subfacet, edge));
+            let [a, b] = own.ends(edge);
+            if !is_convex || !self.has_edge(apex, beyond)? || self.has_edge(a, b)? {
+                continue;
+            }
+            let has_both =
+                self.has_face(&[apex, a, beyond])? && self.has_face(&[apex, beyond, b])?;
+            if sine.abs() < COCIRCULAR || has_both {
+                for changed in self.facets.flip(subfacet, edge)? {
+                    self.queue_subfacet(changed)?;
+                }
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// Returns what is to be split for a subfacet: a subsegment that is between it and the centre of
+    /// its circle, or that the centre encroaches, or the subfacet itself at the centre.
+    fn split_for(&mut self, subfacet: u32) -> AllocResult<Split> {
+        let (center, _) = self.circle_of(subfacet);
+        let x = self.facets.plane_of(subfacet).at(&center);
+        if x.iter().any(|x| !x.is_finite()) {
+            return Ok(Split::Subfacet(subfacet, x));
+        }
+        match self.walk_in_sheet(subfacet, &x) {
+            OnSheet::Beyond(subsegment) => Ok(Split::Subsegment(subsegment)),
+            OnSheet::At { subfacet: at, .. } => {
+                let encroached = self.encroached_in_sheet(at, &x)?;
+                Ok(encroached.map_or(Split::Subfacet(at, x), Split::Subsegment))
+            }
+        }
+    }
+
+    /// Returns a subsegment that is encroached by `x`, which is in a subfacet, among those at the
+    /// subfacets that a vertex there would replace in the sheet.
+    fn encroached_in_sheet(&mut self, at: u32, x: &[f64; 3]) -> AllocResult<Option<u32>> {
+        let mut found = std::mem::take(&mut self.facets.found);
+        found.clear();
+        found.try_push(at)?;
+        let (mut next, mut encroached) = (0, None);
+        while next < found.len() && encroached.is_none() {
+            let own = *self.facets.get(found[next]);
+            next += 1;
+            for edge in 0..3 {
+                let beyond = own.neighbors[edge];
+                if own.subsegments[edge] == NONE {
+                    if !found.contains(&beyond) && self.is_in_circle(beyond, x) {
+                        found.try_push(beyond)?;
+                    }
+                } else if encroached.is_none() {
+                    let [a, b] = own.ends(edge).map(|end: VertexId| self.delaunay.point(end));
+                    let is_encroached = in_diametral_ball(a, b, x).is_positive()
+                        && !self.segments.chains.is_limited(own.subsegments[edge]);
+                    encroached = is_encroached.then_some(own.subsegments[edge]);
+                }
+            }
+        }
+        self.facets.found = found;
+        Ok(encroached)
+    }
+
+    /// Keeps those of the encroached subsegments and subfacets that are large enough to be split for a
+    /// simplex. What is smaller would be split for ever beside small angles of the input: each piece
+    /// would ask for the next.
+    fn keep_large(&mut self, simplex: SimplexId) {
+        let vertices = self.delaunay.complex().vertices(simplex);
+        let points: [&[f64; 3]; 4] = std::array::from_fn(|at| self.delaunay.point(vertices[at]));
+        let least = GUARD * shortest_distance(&points).2;
+        let mut near = std::mem::take(&mut self.facets.near);
+        near.subsegments.retain(|&(subsegment, _)| {
+            let [a, b] = self.segments.chains.get(subsegment).ends;
+            0.5 * distance(self.delaunay.point(a), self.delaunay.point(b)) >= least
+        });
+        near.subfacets.retain(|&(subfacet, _)| self.circle_of(subfacet).1 >= least);
+        self.facets.near = near;
+    }
+
+    /// Leaves a subfacet as it is for which doubles are too coarse.
+    fn limit_subfacet(&mut self, subfacet: u32) {
+        self.facets.limit(subfacet);
+        let vertices = self.facets.get(subfacet).vertices;
+        vertices.into_iter().for_each(|vertex| self.precision_limited[vertex] = true);
+    }
+}

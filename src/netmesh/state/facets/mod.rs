@@ -1,0 +1,308 @@
+//! Facets in space, as the mesh knows them: each is a sheet of triangles, its *subfacets*, that are
+//! to be faces of simplices.
+//!
+//! Subfacets of one facet that share an edge are neighbours there. At an edge that is a subsegment a
+//! subfacet has the next one of its *pages* for a neighbour: all subfacets at a subsegment, whatever
+//! their facets, stand in a circle.
+
+pub(in crate::netmesh) mod faces;
+pub(in crate::netmesh) mod plane;
+pub(in crate::netmesh) mod sheet;
+
+use crate::complex::{SimplexId, VertexId};
+use crate::memory::{AllocResult, Array, TryGrow, collected, filled};
+use crate::mesh::NONE;
+use crate::netmesh::state::facets::faces::Faces;
+use crate::netmesh::state::facets::plane::Plane;
+use crate::netmesh::state::segments::chain::Chains;
+use std::collections::BinaryHeap;
+
+/// The sheets, and the subfacets that wait for a look.
+#[derive(Default)]
+pub(in crate::netmesh) struct Facets {
+    pub facets: Vec<Facet>,
+    /// Walls: sets of subfacets of one facet that are connected without crossing a subsegment.
+    pub walls: Vec<Wall>,
+    subfacets: Vec<Subfacet>,
+    /// Subsegment -> one of its pages, [`NONE`] without any.
+    pages: Vec<u32>,
+    faces: Faces,
+    /// Vertex -> true if it is on a facet.
+    holds: Array<bool>,
+    waiting: BinaryHeap<Waiting>,
+    /// Simplex -> true if it stays although it is beyond the bound; those beyond do not.
+    kept: Array<bool>,
+    /// Subsegments and subfacets near a point.
+    pub near: NearBoundary,
+    /// Simplices at a vertex, for searches.
+    pub star: Array<SimplexId>,
+    /// Subfacets whose edges wait for a test, and others that a search has found.
+    pub found: Vec<u32>,
+}
+
+/// Subsegments and subfacets near a point, each with true if the point crosses it.
+#[derive(Default)]
+pub(in crate::netmesh) struct NearBoundary {
+    pub subsegments: Vec<(u32, bool)>,
+    pub subfacets: Vec<(u32, bool)>,
+}
+
+impl NearBoundary {
+    pub fn clear(&mut self) {
+        self.subsegments.clear();
+        self.subfacets.clear();
+    }
+}
+
+/// Facet: a polygon of the caller's, or triangles that lie in one plane.
+#[derive(Clone, Copy)]
+pub(in crate::netmesh) struct Facet {
+    /// The first of the caller's facets that it is made of.
+    pub parent: u32,
+    pub plane: Plane,
+}
+
+/// Part of a facet between subsegments: it has one region on either side.
+#[derive(Clone, Copy)]
+pub(in crate::netmesh) struct Wall {
+    pub facet: u32,
+    /// Number by which the winding number behind it is larger than that before it.
+    pub balance: i64,
+}
+
+/// Triangle of a sheet. Edge number i is opposite vertex number i.
+#[derive(Clone, Copy)]
+pub(in crate::netmesh) struct Subfacet {
+    /// Counterclockwise where the normal of the facet points to the eye.
+    pub vertices: [VertexId; 3],
+    /// Subfacets beyond the edges: of the same facet, or at a subsegment the next page.
+    pub neighbors: [u32; 3],
+    /// Subsegments that the edges are, [`NONE`] for others.
+    pub subsegments: [u32; 3],
+    pub facet: u32,
+    pub wall: u32,
+    is_waiting: bool,
+    /// Doubles are too coarse for a vertex in it.
+    is_limited: bool,
+}
+
+/// Subfacet that waits, and the bits of its radius: the largest comes first, of equal ones the one
+/// with the least number.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Waiting {
+    radius: u64,
+    subfacet: std::cmp::Reverse<u32>,
+}
+
+impl Subfacet {
+    /// Returns the number of the edge between two vertices, in any direction.
+    pub fn edge_between(&self, a: VertexId, b: VertexId) -> Option<usize> {
+        (0..3).find(|&edge| {
+            let ends = self.ends(edge);
+            ends == [a, b] || ends == [b, a]
+        })
+    }
+
+    /// Returns the ends of an edge, counterclockwise.
+    pub fn ends(&self, edge: usize) -> [VertexId; 2] {
+        [self.vertices[(edge + 1) % 3], self.vertices[(edge + 2) % 3]]
+    }
+}
+
+/// Two triangles of one facet share an edge, as `(lower end, upper end, triangle, edge)`.
+type Side = (VertexId, VertexId, u32, u8);
+
+impl Facets {
+    /// Makes the sheets of `triangles`, each given with its vertices and facet. Edges that are lines
+    /// of `chains`, all of one subsegment, are their subsegments.
+    pub fn new(
+        facets: Vec<Facet>,
+        balances: &[i64],
+        triangles: &[([VertexId; 3], u32)],
+        chains: &Chains,
+        vertices: usize,
+    ) -> AllocResult<Self> {
+        let mut sheets = Self { facets, ..Self::default() };
+        sheets.holds = Array::filled(vertices, false)?;
+        sheets.pages = filled(chains.len(), NONE)?;
+        sheets.subfacets = collected(triangles.iter().map(|&(vertices, facet)| Subfacet {
+            vertices,
+            neighbors: [NONE; 3],
+            subsegments: [NONE; 3],
+            facet,
+            wall: NONE,
+            is_waiting: false,
+            is_limited: false,
+        }))?;
+        for (number, &(vertices, _)) in (0..).zip(triangles) {
+            vertices.iter().for_each(|&vertex| sheets.holds[vertex] = true);
+            sheets.faces.insert(&vertices, number)?;
+        }
+        sheets.join_edges(chains)?;
+        sheets.find_walls(balances)?;
+        Ok(sheets)
+    }
+
+    /// Finds what is beyond the edges of all subfacets.
+    fn join_edges(&mut self, chains: &Chains) -> AllocResult<()> {
+        let mut sides: Vec<Side> = Vec::new();
+        for (number, subfacet) in (0u32..).zip(&self.subfacets) {
+            for edge in 0..3 {
+                let [a, b] = subfacet.ends(edge);
+                sides.try_push((a.min(b), a.max(b), number, edge as u8))?;
+            }
+        }
+        sides.sort_unstable();
+        let mut rest = &sides[..];
+        while let Some(&(a, b, ..)) = rest.first() {
+            let count = rest.iter().take_while(|side| (side.0, side.1) == (a, b)).count();
+            let (own, others) = rest.split_at(count);
+            rest = others;
+            match chains.edge_between(a, b) {
+                Some(subsegment) => self.make_pages(own, subsegment),
+                None => self.join_neighbors(own),
+            }
+        }
+        Ok(())
+    }
+
+    /// Makes the subfacets at an edge the pages of `subsegment`.
+    fn make_pages(&mut self, sides: &[Side], subsegment: u32) {
+        for (at, &(_, _, subfacet, edge)) in sides.iter().enumerate() {
+            let own = &mut self.subfacets[subfacet as usize];
+            own.neighbors[edge as usize] = sides[(at + 1) % sides.len()].2;
+            own.subsegments[edge as usize] = subsegment;
+        }
+        self.pages[subsegment as usize] = sides[0].2;
+    }
+
+    /// Makes those subfacets at an edge neighbours that are of one facet.
+    fn join_neighbors(&mut self, sides: &[Side]) {
+        for &(_, _, subfacet, edge) in sides {
+            let facet = self.subfacets[subfacet as usize].facet;
+            let other = sides
+                .iter()
+                .map(|side| side.2)
+                .find(|&other| other != subfacet && self.subfacets[other as usize].facet == facet);
+            debug_assert!(other.is_some(), "an edge of one triangle of a facet is a line");
+            self.subfacets[subfacet as usize].neighbors[edge as usize] = other.unwrap_or(NONE);
+        }
+    }
+
+    /// Finds which subfacets are connected without crossing a subsegment.
+    fn find_walls(&mut self, balances: &[i64]) -> AllocResult<()> {
+        let mut reached = Vec::new();
+        for first in 0..self.subfacets.len() as u32 {
+            let Subfacet { facet, wall, .. } = self.subfacets[first as usize];
+            if wall != NONE {
+                continue;
+            }
+            let wall = self.walls.len() as u32;
+            self.walls.try_push(Wall { facet, balance: balances[facet as usize] })?;
+            self.subfacets[first as usize].wall = wall;
+            reached.try_push(first)?;
+            while let Some(subfacet) = reached.pop() {
+                let Subfacet { neighbors, subsegments, .. } = self.subfacets[subfacet as usize];
+                for (neighbor, subsegment) in neighbors.into_iter().zip(subsegments) {
+                    if subsegment == NONE && self.subfacets[neighbor as usize].wall == NONE {
+                        self.subfacets[neighbor as usize].wall = wall;
+                        reached.try_push(neighbor)?;
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.subfacets.is_empty()
+    }
+
+    /// Returns the number of subfacets.
+    pub fn len(&self) -> usize {
+        self.subfacets.len()
+    }
+
+    pub fn get(&self, subfacet: u32) -> &Subfacet {
+        &self.subfacets[subfacet as usize]
+    }
+
+    pub fn plane_of(&self, subfacet: u32) -> &Plane {
+        &self.facets[self.get(subfacet).facet as usize].plane
+    }
+
+    /// Returns true if `vertex` is on a facet.
+    #[inline]
+    pub fn holds(&self, vertex: VertexId) -> bool {
+        self.holds.get(vertex.index()).copied().unwrap_or(false)
+    }
+
+    /// Returns the subfacet with these vertices, if there is one.
+    #[inline]
+    pub fn face(&self, vertices: &[VertexId; 3]) -> Option<u32> {
+        match vertices.iter().all(|&vertex| self.holds(vertex)) {
+            true => self.faces.get(vertices),
+            false => None,
+        }
+    }
+
+    /// Returns a page of a subsegment, if it has any.
+    pub fn page_of(&self, subsegment: u32) -> Option<u32> {
+        self.pages.get(subsegment as usize).copied().filter(|&page| page != NONE)
+    }
+
+    /// Queues `subfacet`, whose circumradius is given, unless it waits or is limited.
+    pub fn wait(&mut self, subfacet: u32, radius: f64) -> AllocResult<()> {
+        let Subfacet { is_waiting, is_limited, .. } = &mut self.subfacets[subfacet as usize];
+        if *is_waiting || *is_limited {
+            return Ok(());
+        }
+        *is_waiting = true;
+        self.waiting.try_reserve(1).map_err(crate::memory::AllocError::from)?;
+        let subfacet = std::cmp::Reverse(subfacet);
+        self.waiting.push(Waiting { radius: radius.to_bits(), subfacet });
+        Ok(())
+    }
+
+    /// Returns the next subfacet to look at.
+    pub fn next(&mut self) -> Option<u32> {
+        let Waiting { subfacet, .. } = self.waiting.pop()?;
+        self.subfacets[subfacet.0 as usize].is_waiting = false;
+        Some(subfacet.0)
+    }
+
+    /// Marks a subfacet as one that is not split any more, since doubles are too coarse for a vertex
+    /// in it.
+    pub fn limit(&mut self, subfacet: u32) {
+        self.subfacets[subfacet as usize].is_limited = true;
+    }
+
+    pub fn is_limited(&self, subfacet: u32) -> bool {
+        self.get(subfacet).is_limited
+    }
+
+    /// Notes that a simplex stays as it is.
+    pub fn keep(&mut self, simplex: SimplexId) -> AllocResult<()> {
+        self.kept.cover(simplex.index() + 1, false)?;
+        self.kept[simplex] = true;
+        Ok(())
+    }
+
+    pub fn is_kept(&self, simplex: SimplexId) -> bool {
+        self.kept.get(simplex.index()).copied().unwrap_or(false)
+    }
+
+    /// Forgets what was known of ids that new simplices have taken.
+    pub fn forget(&mut self, created: &[SimplexId]) {
+        for &simplex in created {
+            if let Some(kept) = self.kept.get_mut(simplex.index()) {
+                *kept = false;
+            }
+        }
+    }
+
+    /// Returns the number of subfacets that wait for a look.
+    pub fn waiting_count(&self) -> usize {
+        self.waiting.len()
+    }
+}

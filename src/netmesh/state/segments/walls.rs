@@ -1,0 +1,101 @@
+//! Walls: what separates regions. In the plane these are the lines, in space the parts of facets
+//! between lines.
+
+use crate::complex::{SimplexId, VertexId};
+use crate::memory::AllocResult;
+use crate::netmesh::state::State;
+use crate::netmesh::state::facets::Facets;
+use crate::netmesh::state::facets::faces::FACES;
+use crate::netmesh::state::segments::Segments;
+use crate::netmesh::state::segments::chain::Chains;
+
+/// Lines of the plane, or facets of space.
+#[derive(Clone, Copy)]
+pub(in crate::netmesh) struct Walls<'a> {
+    pub chains: &'a Chains,
+    pub facets: &'a Facets,
+}
+
+/// Wall at a side of a simplex, and the side of it that the simplex is on: 0 on the left of a line
+/// and before a facet, where its normal points to, 1 on the other side.
+pub(in crate::netmesh) type Seen = Option<(u32, usize)>;
+
+impl Walls<'_> {
+    /// Returns the number of walls of a mesh of `dimension`.
+    pub fn count(self, dimension: usize) -> usize {
+        match dimension {
+            2 => self.chains.lines.len(),
+            _ => self.facets.walls.len(),
+        }
+    }
+
+    /// Returns the number by which the winding number on side 0 of a wall is larger than on side 1.
+    pub fn balance(self, dimension: usize, wall: usize) -> i64 {
+        match dimension {
+            2 => self.chains.lines[wall].balance,
+            _ => -self.facets.walls[wall].balance,
+        }
+    }
+
+    /// Returns the walls at the sides of a live simplex: number i is opposite vertex number i.
+    #[inline]
+    pub fn of(self, vertices: &[VertexId]) -> [Seen; 4] {
+        match vertices.len() {
+            3 => self.lines_of(vertices),
+            _ => self.facets_of(vertices),
+        }
+    }
+
+    #[inline]
+    fn lines_of(self, vertices: &[VertexId]) -> [Seen; 4] {
+        let [a, b, c] = self.chains.sides_of(vertices);
+        let mut index = 0;
+        [a, b, c, None].map(|side| {
+            index += 1;
+            let subsegment = self.chains.get(side?);
+            // Simplices turn to the left, and so have what is inside on the left of their edges.
+            let is_right = subsegment.ends[0] != vertices[index % 3];
+            Some((subsegment.line, usize::from(is_right)))
+        })
+    }
+
+    #[inline]
+    fn facets_of(self, vertices: &[VertexId]) -> [Seen; 4] {
+        let wall = |(subfacet, side)| (self.facets.get(subfacet).wall, side);
+        self.subfacets_of(vertices).map(|seen| seen.map(wall))
+    }
+
+    /// Returns the subfacets that are faces of a live simplex of space, with the sides of them that
+    /// it is on: number i is opposite vertex number i.
+    #[inline]
+    pub fn subfacets_of(self, vertices: &[VertexId]) -> [Seen; 4] {
+        let on = vertices.iter().filter(|&&vertex| self.facets.holds(vertex));
+        if on.count() < 3 {
+            return [None; 4];
+        }
+        FACES.map(|face| {
+            let face = face.map(|at| vertices[at]);
+            let number = self.facets.face(&face)?;
+            let subfacet = self.facets.get(number);
+            let start = face.iter().position(|&vertex| vertex == subfacet.vertices[0])?;
+            let is_behind = face[(start + 1) % 3] != subfacet.vertices[1];
+            Some((number, usize::from(is_behind)))
+        })
+    }
+}
+
+impl<const D: usize> State<D> {
+    /// Finds all regions. All of the boundary is recovered.
+    pub(in crate::netmesh) fn find_regions(&mut self) -> AllocResult<()> {
+        let State { delaunay, segments, facets, .. } = self;
+        let Segments { regions, chains, visited, .. } = segments;
+        regions.find(delaunay, Walls { chains, facets }, visited)
+    }
+
+    /// Returns the region of a live simplex. All of the boundary is recovered.
+    pub(in crate::netmesh) fn region_of(&mut self, simplex: SimplexId) -> AllocResult<u32> {
+        let State { delaunay, segments, facets, .. } = self;
+        let Segments { regions, chains, visited, .. } = segments;
+        regions.resolve(simplex, delaunay.complex(), Walls { chains, facets }, visited)
+    }
+}

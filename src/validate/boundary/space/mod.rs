@@ -11,6 +11,7 @@
 //!   simplices within facets; `forced`: those that small angles excuse.
 
 mod arrays;
+mod directions;
 mod faces;
 mod flat;
 mod forced;

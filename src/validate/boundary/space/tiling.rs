@@ -206,6 +206,9 @@ fn check_within(
             });
         }
     }
+    for &ends in &facet.beside {
+        ways.check_edge(number, ends, findings)?;
+    }
     for &vertex in &facet.points {
         findings.check(subfacets.as_flattened().contains(&vertex), || {
             let message =

@@ -37,36 +37,49 @@ fn crosses(a: &Place, b: &Place, p: &Place) -> bool {
     is_up && is_left || is_down && !is_left
 }
 
-/// Tells by points whether some triangles are the facet `number`, whose normal is along the axis
-/// after `axes`.
-fn is_tiled(solid: &Solid, number: usize, axes: [usize; 2], random: &mut Random) -> bool {
+/// Returns the triangles of a facet, without the axis of its normal.
+fn triangles(solid: &Solid, number: u32, axes: [usize; 2]) -> Vec<[Place; 3]> {
     let boundary = match &solid.case.mesh.boundary.whole {
         Some(whole) => &whole.boundary,
         None => &solid.case.mesh.boundary,
     };
     let own = boundary.subfacets.iter().zip(&boundary.subfacet_parents);
-    let own = own.filter(|(_, parent)| **parent as usize == number).map(|(vertices, _)| vertices);
-    let triangles: Vec<[Place; 3]> =
-        own.map(|vertices| vertices.map(|vertex| place(solid, axes, vertex))).collect();
-    let loops: Vec<Vec<Place>> = solid
-        .facets
-        .loops(number)
-        .filter(|corners| corners.len() > 2)
+    let own = own.filter(|(_, parent)| **parent == number).map(|(vertices, _)| vertices);
+    own.map(|vertices| vertices.map(|vertex| place(solid, axes, vertex))).collect()
+}
+
+/// Returns points that are level with no vertex, which are all multiples of 16 units: one in each
+/// of some triangles, and others.
+fn probes(triangles: &[[Place; 3]], random: &mut Random) -> Vec<Place> {
+    let off = |x: IBig| x + IBig::from(3);
+    let within = |[a, b, c]: &[Place; 3]| -> Place {
+        [0, 1].map(|k| off((&a[k] + &a[k] + &b[k] + &c[k]) / IBig::from(4)))
+    };
+    let one = IBig::ONE << -UNIT as usize;
+    let mut anywhere = || -> Place {
+        [0, 1].map(|_| {
+            // From -1 to 6.
+            let steps = IBig::from((random.unit() * 7.0 * 2f64.powi(20)) as i64);
+            off((steps << (-UNIT - 20) as usize) - &one)
+        })
+    };
+    triangles.iter().map(within).chain((0..60).map(|_| anywhere())).collect()
+}
+
+/// Returns true if over each of some points are as many triangles as the loops of a facet say.
+fn is_tiled(solid: &Solid, number: u32, axes: [usize; 2], probes: &[Place]) -> bool {
+    let triangles = triangles(solid, number, axes);
+    let corners = solid.facets.loops(number as usize).filter(|corners| corners.len() > 2);
+    let loops: Vec<Vec<Place>> = corners
         .map(|corners| corners.iter().map(|&corner| place(solid, axes, corner)).collect())
         .collect();
-    let one = IBig::ONE << -UNIT as usize;
-    (0..150).all(|_| {
-        // From -1 to 6, and level with no vertex, which are all multiples of 16 units.
-        let p: Place = [0, 1].map(|_| {
-            let steps = IBig::from((random.unit() * 7.0 * 2f64.powi(20)) as i64);
-            (steps << (-UNIT - 20) as usize) - &one + IBig::from(3)
-        });
+    probes.iter().all(|p| {
         let over = triangles.iter().filter(|[a, b, c]| {
-            [[a, b], [b, c], [c, a]].iter().all(|[from, to]| turn(from, to, &p) > IBig::ZERO)
+            [[a, b], [b, c], [c, a]].iter().all(|[from, to]| turn(from, to, p) > IBig::ZERO)
         });
         let edges =
             loops.iter().flat_map(|corners| corners.iter().zip(corners.iter().cycle().skip(1)));
-        let crossings = edges.filter(|(a, b)| crosses(a, b, &p)).count();
+        let crossings = edges.filter(|(a, b)| crosses(a, b, p)).count();
         over.count() == crossings % 2
     })
 }
@@ -85,6 +98,7 @@ fn tilings_are_those_of_another_judge() {
     let mut random = Random::new(8);
     let (mut held, mut broken) = (0, 0);
     for (solid, facet, axes) in [(boxes(), 8, [1, 2]), (sheet(), 0, [0, 1])] {
+        let probes = probes(&triangles(&solid, facet, axes), &mut random);
         for trial in 0..40 {
             let mut solid = solid.clone();
             // Some triangles fewer, and some turned round.
@@ -109,7 +123,7 @@ fn tilings_are_those_of_another_judge() {
                 });
             }
             let is_certified = is_certified(&solid);
-            let is_tiled = is_tiled(&solid, facet as usize, axes, &mut random);
+            let is_tiled = is_tiled(&solid, facet, axes, &probes);
             assert_eq!(is_certified, is_tiled, "{facet} {trial}");
             if is_tiled { held += 1 } else { broken += 1 }
         }

@@ -1,6 +1,7 @@
 //! The certificate holds for sound meshes, and names what is wrong with corrupted ones.
 
 mod corruptions;
+mod enclosed;
 mod extents;
 mod facets;
 mod geometry;
@@ -10,6 +11,7 @@ mod measures;
 mod meshes;
 mod paper;
 mod segments;
+mod shapes;
 mod sizes;
 mod solids;
 mod tilings;

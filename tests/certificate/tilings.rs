@@ -1,7 +1,7 @@
 //! Tilings of facets beside another judge of them, with the integers of another library: over each
 //! of many points that are on no edge, as many triangles of a facet lie as its loops say.
 
-use super::facets::{boxes, sheet};
+use super::shapes::{boxes, sheet};
 use super::solids::Solid;
 use crate::random::Random;
 use dashu_int::IBig;

@@ -548,12 +548,12 @@ enum nm_violation
      */
     NM_VIOLATION_HULL_LINK = 18,
     /**
-     * The arrays of segments and regions do not fit each other or the mesh.
+     * The arrays of segments, facets and regions do not fit each other or the mesh.
      */
     NM_VIOLATION_BOUNDARY_ARRAYS = 19,
     /**
      * The arrays of a domain that is cut out are not the first parts of those of the whole, or its
-     * subsegments are not those that are edges of its simplices.
+     * subsegments and subfacets are not those that are edges and faces of its simplices.
      */
     NM_VIOLATION_DOMAIN_ARRAYS = 20,
     /**
@@ -618,15 +618,17 @@ enum nm_violation
      */
     NM_VIOLATION_SUBSEGMENT_EDGE = 106,
     /**
-     * A vertex is strictly inside the circle of which a subsegment is a diameter.
+     * In the plane, a vertex is strictly inside the circle of which a subsegment is a diameter.
      */
     NM_VIOLATION_SUBSEGMENT_GABRIEL = 107,
     /**
-     * Subsegments do not lead from one end of a segment to the other, or go back on the way.
+     * Subsegments do not lead from one end of a segment or of a facet's edge to the other, or go
+     * back on the way.
      */
     NM_VIOLATION_SEGMENT_CHAIN = 108,
     /**
-     * A vertex on a segment is farther from it than rounding makes it.
+     * A vertex on a segment or on a facet's edge is farther from it than rounding makes it, or a
+     * subsegment is on none.
      */
     NM_VIOLATION_SEGMENT_LINE = 109,
     /**
@@ -750,12 +752,12 @@ enum nm_violation
      */
     NM_VIOLATION_SIMPLEX_SIZE = 223,
     /**
-     * Neighbours without a subsegment between them have different labels, the label of a region is
-     * not that of its seed, or a seed has no region of its own.
+     * Neighbours without a subsegment or subfacet between them have different labels, the label of
+     * a region is not that of its seed, or a seed has no region of its own.
      */
     NM_VIOLATION_REGION_LABEL = 224,
     /**
-     * The domain ends between two neighbours where no subsegment is.
+     * The domain ends between two neighbours where no subsegment or subfacet is.
      */
     NM_VIOLATION_DOMAIN_END = 225,
     /**

@@ -11,7 +11,7 @@ AZIMUTH, ELEVATION = np.radians([-56, 24])
 LIGHT = np.array([0.35, -0.55, 0.75])
 # Told apart by the colour-blind as well [Okabe and Ito, 2008].
 CELLS = ["#f0c987", "#9fd3c7", "#d8a7c6", "#b7c9e8"]
-FACET = "#7a9cc6"
+FACETS = ["#7a9cc6", "#5b7fae", "#8fb0d6", "#6a8fbf"]
 FACES = ((1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1))
 
 
@@ -37,7 +37,8 @@ def draw_cut(ax, path, normal, offset):
     labels = cells[:, 4] if cells.shape[1] > 4 else np.zeros(len(cells), dtype=int)
     cells = cells[:, :4]
     is_kept = points[cells].mean(axis=1) @ normal < offset
-    subfacets = {tuple(sorted(row)) for row in table(path.with_suffix(".face"), 3).astype(int)}
+    rows = table(path.with_suffix(".face")).astype(int).tolist()
+    markers = {tuple(sorted(row[:3])): row[3] for row in rows}
     faces = seen_faces(cells[is_kept], labels[is_kept])
     corners = np.array([points[list(face)] for face, _ in faces])
     turned = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
@@ -51,7 +52,9 @@ def draw_cut(ax, path, normal, offset):
     colors = []
     for at in order:
         face, label = faces[at]
-        base = FACET if tuple(sorted(face)) in subfacets else CELLS[label % len(CELLS)]
+        marker = markers.get(tuple(sorted(face)))
+        is_cell = marker is None
+        base = CELLS[label % len(CELLS)] if is_cell else FACETS[marker % len(FACETS)]
         rgb = np.array([int(base[k : k + 2], 16) for k in (1, 3, 5)]) / 255
         colors.append(tuple(np.clip(rgb * shade[at], 0, 1)))
     ax.add_collection(

@@ -29,6 +29,12 @@ pub(in crate::netmesh) struct Facets {
     faces: Faces,
     /// Vertex -> true if it is on a facet.
     holds: Array<bool>,
+    /// Vertex -> the facet that it is in between lines, [`NONE`] for others.
+    inside: Array<u32>,
+    /// First vertices -> the facets that they are on.
+    at_first: Option<Lists>,
+    /// Facet -> its lines, rising.
+    lines: Option<Lists>,
     waiting: BinaryHeap<Waiting>,
     /// Simplex -> true if it stays although it is beyond the bound; those beyond do not.
     kept: Array<bool>,
@@ -138,6 +144,8 @@ impl Facets {
             sheets.faces.insert(&vertices, number)?;
         }
         sheets.join_edges(chains)?;
+        sheets.at_first = Some(sheets.at_vertices(vertices)?);
+        sheets.lines = Some(sheets.collect_lines(chains)?);
         sheets.find_walls(balances)?;
         Ok(sheets)
     }
@@ -185,6 +193,49 @@ impl Facets {
                 .find(|&other| other != subfacet && self.subfacets[other as usize].facet == facet);
             debug_assert!(other.is_some(), "an edge of one triangle of a facet is a line");
             self.subfacets[subfacet as usize].neighbors[edge as usize] = other.unwrap_or(NONE);
+        }
+    }
+
+    /// Returns the lines of each facet, all of one subsegment. A line within a facet is there twice.
+    fn collect_lines(&self, chains: &Chains) -> AllocResult<Lists> {
+        let is_line = |&subsegment: &u32| subsegment != NONE;
+        let mut pairs = Vec::new();
+        for own in &self.subfacets {
+            for subsegment in own.subsegments.iter().copied().filter(is_line) {
+                pairs.try_push((own.facet, chains.get(subsegment).line))?;
+            }
+        }
+        pairs.sort_unstable();
+        Lists::of_pairs(self.facets.len(), || pairs.iter().copied())
+    }
+
+    /// Returns the lines of a facet, rising.
+    pub fn lines_of(&self, facet: u32) -> &[u32] {
+        self.lines.as_ref().map_or(&[], |lines| lines.of(facet as usize))
+    }
+
+    /// Returns the facets that a vertex is on which is no inner one of a line.
+    pub fn facets_at(&self, vertex: VertexId) -> &[u32] {
+        let first = self.at_first.as_ref().filter(|first| vertex.index() < first.count());
+        match (self.inside.get(vertex.index()), first) {
+            (Some(facet), _) if *facet != NONE => std::slice::from_ref(facet),
+            (_, Some(first)) => first.of(vertex.index()),
+            _ => &[],
+        }
+    }
+
+    /// Adds the facets at a subsegment.
+    pub fn collect_pages(&self, subsegment: u32, facets: &mut Vec<u32>) -> AllocResult<()> {
+        let Some(first) = self.page_of(subsegment) else { return Ok(()) };
+        let mut page = first;
+        loop {
+            let own = self.get(page);
+            facets.try_push(own.facet)?;
+            let edge = own.subsegments.iter().position(|&other| other == subsegment);
+            page = edge.map_or(first, |edge| own.neighbors[edge]);
+            if page == first {
+                return Ok(());
+            }
         }
     }
 

@@ -1,0 +1,100 @@
+//! Small angles of the input in space. Facets and segments that meet at one have vertices as near to
+//! each other as the angle makes them. A simplex whose shortest edge is between two of these is
+//! forced: to refine it would make the next one, nearer to where they meet (G. L. Miller, S. E. Pav
+//! and N. J. Walkington, "When and why Delaunay refinement algorithms work", 2005).
+
+use crate::complex::{SimplexId, VertexId};
+use crate::memory::{AllocResult, TryGrow};
+use crate::netmesh::state::State;
+use crate::numerics::{distance, shortest_distance};
+
+/// Largest cosine of angles between segments, or a segment and a facet, that are not small.
+const SMALL: f64 = 0.5;
+
+/// Largest cosine of dihedral angles that are not small.
+const SMALL_DIHEDRAL: f64 = 0.1736;
+
+impl State<3> {
+    /// Returns true if the shortest edge of a live simplex goes from a facet or segment to another
+    /// one that meets it at a small angle.
+    pub(in crate::netmesh) fn is_at_small_angle(&self, simplex: SimplexId) -> bool {
+        let vertices = self.delaunay.complex().vertices(simplex);
+        let on_boundary = vertices.iter().filter(|&&vertex| self.facets.holds(vertex));
+        if on_boundary.count() < 2 || vertices.contains(&VertexId::INFINITE) {
+            return false;
+        }
+        let points: [&[f64; 3]; 4] = std::array::from_fn(|at| self.delaunay.point(vertices[at]));
+        let (a, b, _) = shortest_distance(&points);
+        self.spans_small_angle(vertices[a], vertices[b]).unwrap_or(false)
+    }
+
+    /// Returns true if two vertices are on facets or segments that meet at a small angle, and on none
+    /// that has both.
+    fn spans_small_angle(&self, u: VertexId, v: VertexId) -> AllocResult<bool> {
+        let chains = &self.segments.chains;
+        if let (Some(first), Some(second)) = (chains.line_through(u), chains.line_through(v)) {
+            let [first, second] = [first, second].map(|line| chains.lines[line as usize]);
+            if let Some((center, _)) = first.corner_with(&second) {
+                let center = self.delaunay.point(center);
+                return Ok(self.cosine_at(center, u, v) > SMALL);
+            }
+        }
+        let (own, others) = (self.facets_of(u)?, self.facets_of(v)?);
+        if own.iter().any(|facet| others.contains(facet)) {
+            return Ok(false);
+        }
+        Ok(own.iter().any(|&f| others.iter().any(|&g| self.meet_at_small_angle(f, g, u, v))))
+    }
+
+    /// Returns the facets that a vertex is on, an end of lines, on a line or between lines.
+    fn facets_of(&self, vertex: VertexId) -> AllocResult<Vec<u32>> {
+        let mut facets = Vec::new();
+        if let Some([before, _]) = self.segments.chains.subsegments_at(vertex) {
+            self.facets.collect_pages(before, &mut facets)?;
+        } else {
+            facets.try_extend(self.facets.facets_at(vertex))?;
+        }
+        Ok(facets)
+    }
+
+    /// Returns true if two facets have a line or a vertex in common from which two of their vertices
+    /// are seen at a small angle.
+    fn meet_at_small_angle(&self, f: u32, g: u32, u: VertexId, v: VertexId) -> bool {
+        let (own, others) = (self.facets.lines_of(f), self.facets.lines_of(g));
+        let mut common = own.iter().filter(|&line| others.binary_search(line).is_ok()).peekable();
+        if common.peek().is_some() {
+            let mut on = common.map(|&line| self.segments.chains.lines[line as usize].ends);
+            return on.any(|ends| {
+                let foot = self.foot(ends, u, v);
+                self.cosine_at(&foot, u, v) > SMALL_DIHEDRAL
+            });
+        }
+        let ends = |facet| {
+            let lines = self.facets.lines_of(facet).iter();
+            lines.flat_map(|&line| self.segments.chains.lines[line as usize].ends)
+        };
+        let mut common = ends(f).filter(|&end| ends(g).any(|other| other == end));
+        common.any(|end| self.cosine_at(self.delaunay.point(end), u, v) > SMALL)
+    }
+
+    /// Returns the point of a line that is nearest to the middle of two vertices.
+    fn foot(&self, ends: [VertexId; 2], u: VertexId, v: VertexId) -> [f64; 3] {
+        let [a, b, u, v] = [ends[0], ends[1], u, v].map(|vertex| self.delaunay.point(vertex));
+        let unit = distance(a, b);
+        let way: [f64; 3] = std::array::from_fn(|k| (b[k] - a[k]) / unit);
+        let middle: [f64; 3] = std::array::from_fn(|k| 0.5 * (u[k] - a[k]) + 0.5 * (v[k] - a[k]));
+        let along: f64 = (0..3).map(|k| way[k] * (middle[k] / unit)).sum();
+        let along = along.clamp(0.0, 1.0) * unit;
+        std::array::from_fn(|k| a[k] + along * way[k])
+    }
+
+    /// Returns the cosine of the angle at which two vertices are seen from `x`.
+    fn cosine_at(&self, x: &[f64; 3], u: VertexId, v: VertexId) -> f64 {
+        let [u, v] = [u, v].map(|vertex| {
+            let to = self.delaunay.point(vertex);
+            let length = distance(x, to);
+            std::array::from_fn::<f64, 3, _>(|k| (to[k] - x[k]) / length)
+        });
+        (0..3).map(|k| u[k] * v[k]).sum()
+    }
+}

@@ -57,8 +57,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
     }
 
+    /// Returns half the length of a subsegment of a sharp line; infinity for others.
     fn half_length(&self, subsegment: u32) -> f64 {
-        let ends = self.state.segments.chains.get(subsegment).ends;
+        let own = self.state.segments.chains.get(subsegment);
+        if !self.state.facets.is_sharp_line(own.line) {
+            return f64::INFINITY;
+        }
+        let ends = own.ends;
         let [a, b] = ends.map(|end| self.state.delaunay.point(end));
         0.5 * distance(a, b)
     }
@@ -249,9 +254,14 @@ impl State<3> {
         let mut near = std::mem::take(&mut self.facets.near);
         near.subsegments.retain(|&(subsegment, _)| {
             let [a, b] = self.segments.chains.get(subsegment).ends;
-            0.5 * distance(self.delaunay.point(a), self.delaunay.point(b)) >= least
+            let line = self.segments.chains.get(subsegment).line;
+            !self.facets.is_sharp_line(line)
+                || 0.5 * distance(self.delaunay.point(a), self.delaunay.point(b)) >= least
         });
-        near.subfacets.retain(|&(subfacet, _)| self.circle_of(subfacet).1 >= least);
+        near.subfacets.retain(|&(subfacet, _)| {
+            let facet = self.facets.get(subfacet).facet;
+            !self.facets.is_sharp_facet(facet) || self.circle_of(subfacet).1 >= least
+        });
         self.facets.near = near;
         least
     }

@@ -6,13 +6,13 @@
 use crate::complex::{SimplexId, VertexId};
 use crate::memory::{AllocResult, TryGrow};
 use crate::netmesh::state::State;
-use crate::numerics::{distance, shortest_distance};
+use crate::numerics::{distance, norm, shortest_distance};
 
 /// Largest cosine of angles between segments, or a segment and a facet, that are not small.
-const SMALL: f64 = 0.5;
+pub(in crate::netmesh) const SMALL: f64 = 0.5;
 
 /// Largest cosine of dihedral angles that are not small.
-const SMALL_DIHEDRAL: f64 = 0.1736;
+pub(in crate::netmesh) const SMALL_DIHEDRAL: f64 = 0.1736;
 
 impl State<3> {
     /// Returns true if the shortest edge of a live simplex goes from a facet or segment to another
@@ -50,7 +50,8 @@ impl State<3> {
     fn facets_of(&self, vertex: VertexId) -> AllocResult<Vec<u32>> {
         let mut facets = Vec::new();
         if let Some([before, _]) = self.segments.chains.subsegments_at(vertex) {
-            self.facets.collect_pages(before, &mut facets)?;
+            self.facets.collect_subfacets(before, &mut facets)?;
+            facets.iter_mut().for_each(|page| *page = self.facets.get(*page).facet);
         } else {
             facets.try_extend(self.facets.facets_at(vertex))?;
         }
@@ -61,7 +62,8 @@ impl State<3> {
     /// are seen at a small angle.
     fn meet_at_small_angle(&self, f: u32, g: u32, u: VertexId, v: VertexId) -> bool {
         let (own, others) = (self.facets.lines_of(f), self.facets.lines_of(g));
-        let mut common = own.iter().filter(|&line| others.binary_search(line).is_ok()).peekable();
+        let (few, many) = if own.len() < others.len() { (own, others) } else { (others, own) };
+        let mut common = few.iter().filter(|&line| many.binary_search(line).is_ok()).peekable();
         if common.peek().is_some() {
             let mut on = common.map(|&line| self.segments.chains.lines[line as usize].ends);
             return on.any(|ends| {
@@ -69,16 +71,21 @@ impl State<3> {
                 self.cosine_at(&foot, u, v) > SMALL_DIHEDRAL
             });
         }
-        let ends = |facet| {
-            let lines = self.facets.lines_of(facet).iter();
-            lines.flat_map(|&line| self.segments.chains.lines[line as usize].ends)
-        };
-        let mut common = ends(f).filter(|&end| ends(g).any(|other| other == end));
-        common.any(|end| self.cosine_at(self.delaunay.point(end), u, v) > SMALL)
+        let (own, others) = (self.facets.ends_of(f), self.facets.ends_of(g));
+        let (few, many) = if own.len() < others.len() { (own, others) } else { (others, own) };
+        few.iter().filter(|&end| many.binary_search(end).is_ok()).any(|&end| {
+            let end = self.delaunay.point(VertexId::from_number(end));
+            self.cosine_at(end, u, v) > SMALL
+        })
     }
 
     /// Returns the point of a line that is nearest to the middle of two vertices.
-    fn foot(&self, ends: [VertexId; 2], u: VertexId, v: VertexId) -> [f64; 3] {
+    pub(in crate::netmesh) fn foot(
+        &self,
+        ends: [VertexId; 2],
+        u: VertexId,
+        v: VertexId,
+    ) -> [f64; 3] {
         let [a, b, u, v] = [ends[0], ends[1], u, v].map(|vertex| self.delaunay.point(vertex));
         let unit = distance(a, b);
         let way: [f64; 3] = std::array::from_fn(|k| (b[k] - a[k]) / unit);
@@ -89,12 +96,17 @@ impl State<3> {
     }
 
     /// Returns the cosine of the angle at which two vertices are seen from `x`.
-    fn cosine_at(&self, x: &[f64; 3], u: VertexId, v: VertexId) -> f64 {
+    pub(in crate::netmesh) fn cosine_at(&self, x: &[f64; 3], u: VertexId, v: VertexId) -> f64 {
         let [u, v] = [u, v].map(|vertex| {
             let to = self.delaunay.point(vertex);
-            let length = distance(x, to);
-            std::array::from_fn::<f64, 3, _>(|k| (to[k] - x[k]) / length)
+            std::array::from_fn::<f64, 3, _>(|k| to[k] - x[k])
         });
-        (0..3).map(|k| u[k] * v[k]).sum()
+        cosine(&u, &v)
     }
+}
+
+/// Returns the cosine of the angle between two directions.
+pub(in crate::netmesh) fn cosine(u: &[f64; 3], v: &[f64; 3]) -> f64 {
+    let lengths = [norm(u), norm(v)];
+    (0..3).map(|k| (u[k] / lengths[0]) * (v[k] / lengths[1])).sum()
 }

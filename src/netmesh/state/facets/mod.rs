@@ -35,6 +35,12 @@ pub(in crate::netmesh) struct Facets {
     at_first: Option<Lists>,
     /// Facet -> its lines, rising.
     lines: Option<Lists>,
+    /// Facet -> the ends of its lines, rising.
+    ends: Option<Lists>,
+    /// Line -> true if facets or segments meet there at a small angle.
+    is_sharp: Vec<bool>,
+    /// Facet -> true if it has such a line.
+    has_sharp: Vec<bool>,
     waiting: BinaryHeap<Waiting>,
     /// Simplex -> true if it stays although it is beyond the bound; those beyond do not.
     kept: Array<bool>,
@@ -146,6 +152,7 @@ impl Facets {
         sheets.join_edges(chains)?;
         sheets.at_first = Some(sheets.at_vertices(vertices)?);
         sheets.lines = Some(sheets.collect_lines(chains)?);
+        sheets.ends = Some(sheets.collect_line_ends(chains)?);
         sheets.find_walls(balances)?;
         Ok(sheets)
     }
@@ -209,6 +216,43 @@ impl Facets {
         Lists::of_pairs(self.facets.len(), || pairs.iter().copied())
     }
 
+    /// Returns the ends of the lines of each facet.
+    fn collect_line_ends(&self, chains: &Chains) -> AllocResult<Lists> {
+        let mut pairs = Vec::new();
+        for facet in 0..self.facets.len() as u32 {
+            for &line in self.lines_of(facet) {
+                let ends = chains.lines[line as usize].ends;
+                pairs.try_extend(&ends.map(|end| (facet, end.number())))?;
+            }
+        }
+        pairs.sort_unstable();
+        pairs.dedup();
+        Lists::of_pairs(self.facets.len(), || pairs.iter().copied())
+    }
+
+    /// Returns the ends of the lines of a facet, rising.
+    pub fn ends_of(&self, facet: u32) -> &[u32] {
+        self.ends.as_ref().map_or(&[], |ends| ends.of(facet as usize))
+    }
+
+    /// Sets which lines are sharp.
+    pub fn set_sharp(&mut self, is_sharp: Vec<bool>) -> AllocResult<()> {
+        let of = |facet| self.lines_of(facet).iter().any(|&line| is_sharp[line as usize]);
+        self.has_sharp = collected((0..self.facets.len() as u32).map(of))?;
+        self.is_sharp = is_sharp;
+        Ok(())
+    }
+
+    /// Returns true if facets or segments meet at a small angle at a line.
+    pub fn is_sharp_line(&self, line: u32) -> bool {
+        self.is_sharp.get(line as usize).copied().unwrap_or(false)
+    }
+
+    /// Returns true if a facet has a sharp line.
+    pub fn is_sharp_facet(&self, facet: u32) -> bool {
+        self.has_sharp.get(facet as usize).copied().unwrap_or(false)
+    }
+
     /// Returns the lines of a facet, rising.
     pub fn lines_of(&self, facet: u32) -> &[u32] {
         self.lines.as_ref().map_or(&[], |lines| lines.of(facet as usize))
@@ -224,13 +268,13 @@ impl Facets {
         }
     }
 
-    /// Adds the facets at a subsegment.
-    pub fn collect_pages(&self, subsegment: u32, facets: &mut Vec<u32>) -> AllocResult<()> {
+    /// Adds the subfacets at a subsegment.
+    pub fn collect_subfacets(&self, subsegment: u32, pages: &mut Vec<u32>) -> AllocResult<()> {
         let Some(first) = self.page_of(subsegment) else { return Ok(()) };
         let mut page = first;
         loop {
+            pages.try_push(page)?;
             let own = self.get(page);
-            facets.try_push(own.facet)?;
             let edge = own.subsegments.iter().position(|&other| other == subsegment);
             page = edge.map_or(first, |edge| own.neighbors[edge]);
             if page == first {

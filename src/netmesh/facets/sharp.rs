@@ -5,6 +5,10 @@ use crate::complex::VertexId;
 use crate::memory::{AllocResult, TryGrow, filled};
 use crate::netmesh::questions::small_angles::{SMALL, SMALL_DIHEDRAL, cosine};
 use crate::netmesh::state::State;
+use crate::netmesh::state::facets::Meeting;
+
+/// Pairs of facets at a vertex with more of them are not told.
+const MOST_FACETS: usize = 1000;
 
 impl State<3> {
     /// Marks lines and facets at small angles. No line is split.
@@ -12,6 +16,7 @@ impl State<3> {
         let count = self.segments.chains.lines.len();
         let mut is_sharp = filled(count, false)?;
         let (mut pages, mut ways) = (Vec::new(), Vec::new());
+        let (mut meetings, mut joined) = (Vec::new(), Vec::new());
         for line in 0..count as u32 {
             pages.clear();
             ways.clear();
@@ -19,10 +24,18 @@ impl State<3> {
             for &page in &pages {
                 ways.try_push(self.way_into(page, line))?;
             }
-            let is_small = |(at, way): (usize, &[f64; 3])| {
-                ways[..at].iter().any(|other| cosine(way, other) > SMALL_DIHEDRAL)
-            };
-            is_sharp[line as usize] = ways.iter().enumerate().any(is_small);
+            for at in 0..pages.len() {
+                for other in 0..at {
+                    let [f, g] = [at, other].map(|at| self.facets.get(pages[at]).facet);
+                    for end in self.segments.chains.lines[line as usize].ends {
+                        joined.try_push((f.min(g), f.max(g), Meeting::Vertex(end)))?;
+                    }
+                    if cosine(&ways[at], &ways[other]) > SMALL_DIHEDRAL {
+                        is_sharp[line as usize] = true;
+                        meetings.try_push((f.min(g), f.max(g), Meeting::Line(line)))?;
+                    }
+                }
+            }
         }
         for fan in self.segments.chains.fans() {
             for (at, one) in fan.iter().enumerate() {
@@ -36,7 +49,37 @@ impl State<3> {
                 }
             }
         }
-        self.facets.set_sharp(is_sharp)
+        joined.sort_unstable();
+        self.find_meetings_at_vertices(&joined, &mut meetings)?;
+        self.facets.set_sharp(is_sharp, meetings)
+    }
+
+    /// Adds the pairs of facets that meet at an end of lines, and at no line there. `joined` has those
+    /// that meet at one.
+    fn find_meetings_at_vertices(
+        &self,
+        joined: &[(u32, u32, Meeting)],
+        meetings: &mut Vec<(u32, u32, Meeting)>,
+    ) -> AllocResult<()> {
+        let mut own = Vec::new();
+        for vertex in VertexId::below(self.delaunay.point_count()) {
+            own.clear();
+            own.try_extend(self.facets.facets_at(vertex))?;
+            own.sort_unstable();
+            own.dedup();
+            if own.len() > MOST_FACETS {
+                continue;
+            }
+            for at in 0..own.len() {
+                for other in 0..at {
+                    let pair = (own[other], own[at], Meeting::Vertex(vertex));
+                    if joined.binary_search(&pair).is_err() {
+                        meetings.try_push(pair)?;
+                    }
+                }
+            }
+        }
+        Ok(())
     }
 
     /// Returns the direction from a line into a page of it, at a right angle to the line.

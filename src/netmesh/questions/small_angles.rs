@@ -5,11 +5,16 @@
 
 use crate::complex::{SimplexId, VertexId};
 use crate::memory::{AllocResult, TryGrow};
+use crate::netmesh::insertion::near_facets::EDGES;
 use crate::netmesh::state::State;
+use crate::netmesh::state::facets::Meeting;
 use crate::numerics::{distance, norm, shortest_distance};
 
 /// Largest cosine of angles between segments, or a segment and a facet, that are not small.
 pub(in crate::netmesh) const SMALL: f64 = 0.5;
+
+/// Cosine of angles so small that all simplices between what meets at them are forced.
+const TINY: f64 = 0.9659;
 
 /// Largest cosine of dihedral angles that are not small.
 pub(in crate::netmesh) const SMALL_DIHEDRAL: f64 = 0.1736;
@@ -25,25 +30,38 @@ impl State<3> {
         }
         let points: [&[f64; 3]; 4] = std::array::from_fn(|at| self.delaunay.point(vertices[at]));
         let (a, b, _) = shortest_distance(&points);
-        self.spans_small_angle(vertices[a], vertices[b]).unwrap_or(false)
+        let small = [SMALL, SMALL_DIHEDRAL];
+        if self.spans_small_angle([vertices[a], vertices[b]], small).unwrap_or(false) {
+            return true;
+        }
+        let is_near = |&&vertex: &&VertexId| {
+            self.facets.facets_at(vertex).iter().any(|&facet| self.facets.is_sharp_facet(facet))
+                || self.segments.chains.line_through(vertex).is_some()
+        };
+        if vertices.iter().filter(is_near).count() < 2 {
+            return false;
+        }
+        EDGES.iter().any(|&[i, j]| {
+            let edge = [vertices[i], vertices[j]];
+            self.spans_small_angle(edge, [TINY; 2]).unwrap_or(false)
+        })
     }
 
     /// Returns true if two vertices are on facets or segments that meet at a small angle, and on none
     /// that has both.
-    fn spans_small_angle(&self, u: VertexId, v: VertexId) -> AllocResult<bool> {
+    fn spans_small_angle(&self, [u, v]: [VertexId; 2], small: [f64; 2]) -> AllocResult<bool> {
         let chains = &self.segments.chains;
         if let (Some(first), Some(second)) = (chains.line_through(u), chains.line_through(v)) {
             let [first, second] = [first, second].map(|line| chains.lines[line as usize]);
             if let Some((center, _)) = first.corner_with(&second) {
                 let center = self.delaunay.point(center);
-                return Ok(self.cosine_at(center, u, v) > SMALL);
+                return Ok(self.cosine_at(center, u, v) > small[0]);
             }
         }
         let (own, others) = (self.facets_of(u)?, self.facets_of(v)?);
-        if own.iter().any(|facet| others.contains(facet)) {
-            return Ok(false);
-        }
-        Ok(own.iter().any(|&f| others.iter().any(|&g| self.meet_at_small_angle(f, g, u, v))))
+        let meet = |f: &u32, g: &u32| self.meet_at_small_angle(*f, *g, [u, v], small);
+        let mut apart = own.iter().filter(|facet| !others.contains(facet));
+        Ok(apart.any(|f| others.iter().any(|g| !own.contains(g) && meet(f, g))))
     }
 
     /// Returns the facets that a vertex is on, an end of lines, on a line or between lines.
@@ -58,24 +76,14 @@ impl State<3> {
         Ok(facets)
     }
 
-    /// Returns true if two facets have a line or a vertex in common from which two of their vertices
-    /// are seen at a small angle.
-    fn meet_at_small_angle(&self, f: u32, g: u32, u: VertexId, v: VertexId) -> bool {
-        let (own, others) = (self.facets.lines_of(f), self.facets.lines_of(g));
-        let (few, many) = if own.len() < others.len() { (own, others) } else { (others, own) };
-        let mut common = few.iter().filter(|&line| many.binary_search(line).is_ok()).peekable();
-        if common.peek().is_some() {
-            let mut on = common.map(|&line| self.segments.chains.lines[line as usize].ends);
-            return on.any(|ends| {
-                let foot = self.foot(ends, u, v);
-                self.cosine_at(&foot, u, v) > SMALL_DIHEDRAL
-            });
-        }
-        let (own, others) = (self.facets.ends_of(f), self.facets.ends_of(g));
-        let (few, many) = if own.len() < others.len() { (own, others) } else { (others, own) };
-        few.iter().filter(|&end| many.binary_search(end).is_ok()).any(|&end| {
-            let end = self.delaunay.point(VertexId::from_number(end));
-            self.cosine_at(end, u, v) > SMALL
+    /// Returns true if two facets meet where two of their vertices are seen at a small angle.
+    fn meet_at_small_angle(&self, f: u32, g: u32, [u, v]: [VertexId; 2], small: [f64; 2]) -> bool {
+        self.facets.meetings(f, g).iter().any(|&(.., at)| match at {
+            Meeting::Line(line) => {
+                let ends = self.segments.chains.lines[line as usize].ends;
+                self.cosine_at(&self.foot(ends, u, v), u, v) > small[1]
+            }
+            Meeting::Vertex(vertex) => self.cosine_at(self.delaunay.point(vertex), u, v) > small[0],
         })
     }
 

@@ -33,10 +33,8 @@ pub(in crate::netmesh) struct Facets {
     inside: Array<u32>,
     /// First vertices -> the facets that they are on.
     at_first: Option<Lists>,
-    /// Facet -> its lines, rising.
-    lines: Option<Lists>,
-    /// Facet -> the ends of its lines, rising.
-    ends: Option<Lists>,
+    /// Pairs of facets, the lower first, with the lines and vertices where they meet at small angles.
+    meetings: Vec<(u32, u32, Meeting)>,
     /// Line -> true if facets or segments meet there at a small angle.
     is_sharp: Vec<bool>,
     /// Facet -> true if it has such a line.
@@ -97,6 +95,13 @@ pub(in crate::netmesh) struct Subfacet {
     is_limited: bool,
 }
 
+/// Place where two facets meet.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(in crate::netmesh) enum Meeting {
+    Line(u32),
+    Vertex(VertexId),
+}
+
 /// Subfacet that waits, and the bits of its radius: the largest comes first, of equal ones the one
 /// with the least number.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -151,8 +156,6 @@ impl Facets {
         }
         sheets.join_edges(chains)?;
         sheets.at_first = Some(sheets.at_vertices(vertices)?);
-        sheets.lines = Some(sheets.collect_lines(chains)?);
-        sheets.ends = Some(sheets.collect_line_ends(chains)?);
         sheets.find_walls(balances)?;
         Ok(sheets)
     }
@@ -203,43 +206,29 @@ impl Facets {
         }
     }
 
-    /// Returns the lines of each facet, all of one subsegment. A line within a facet is there twice.
-    fn collect_lines(&self, chains: &Chains) -> AllocResult<Lists> {
-        let is_line = |&subsegment: &u32| subsegment != NONE;
-        let mut pairs = Vec::new();
+    /// Returns the places where two facets meet at small angles.
+    pub fn meetings(&self, f: u32, g: u32) -> &[(u32, u32, Meeting)] {
+        let pair = (f.min(g), f.max(g));
+        let first = self.meetings.partition_point(|&(a, b, _)| (a, b) < pair);
+        let all = &self.meetings[first..];
+        &all[..all.iter().take_while(|&&(a, b, _)| (a, b) == pair).count()]
+    }
+
+    /// Sets which lines are sharp, and where facets meet at small angles.
+    pub fn set_sharp(
+        &mut self,
+        is_sharp: Vec<bool>,
+        mut meetings: Vec<(u32, u32, Meeting)>,
+    ) -> AllocResult<()> {
+        self.has_sharp = filled(self.facets.len(), false)?;
         for own in &self.subfacets {
-            for subsegment in own.subsegments.iter().copied().filter(is_line) {
-                pairs.try_push((own.facet, chains.get(subsegment).line))?;
-            }
+            let lines = own.subsegments.iter().filter(|&&line| line != NONE);
+            self.has_sharp[own.facet as usize] |=
+                lines.into_iter().any(|&line| is_sharp[line as usize]);
         }
-        pairs.sort_unstable();
-        Lists::of_pairs(self.facets.len(), || pairs.iter().copied())
-    }
-
-    /// Returns the ends of the lines of each facet.
-    fn collect_line_ends(&self, chains: &Chains) -> AllocResult<Lists> {
-        let mut pairs = Vec::new();
-        for facet in 0..self.facets.len() as u32 {
-            for &line in self.lines_of(facet) {
-                let ends = chains.lines[line as usize].ends;
-                pairs.try_extend(&ends.map(|end| (facet, end.number())))?;
-            }
-        }
-        pairs.sort_unstable();
-        pairs.dedup();
-        Lists::of_pairs(self.facets.len(), || pairs.iter().copied())
-    }
-
-    /// Returns the ends of the lines of a facet, rising.
-    pub fn ends_of(&self, facet: u32) -> &[u32] {
-        self.ends.as_ref().map_or(&[], |ends| ends.of(facet as usize))
-    }
-
-    /// Sets which lines are sharp.
-    pub fn set_sharp(&mut self, is_sharp: Vec<bool>) -> AllocResult<()> {
-        let of = |facet| self.lines_of(facet).iter().any(|&line| is_sharp[line as usize]);
-        self.has_sharp = collected((0..self.facets.len() as u32).map(of))?;
-        self.is_sharp = is_sharp;
+        meetings.sort_unstable();
+        meetings.dedup();
+        (self.is_sharp, self.meetings) = (is_sharp, meetings);
         Ok(())
     }
 
@@ -251,11 +240,6 @@ impl Facets {
     /// Returns true if a facet has a sharp line.
     pub fn is_sharp_facet(&self, facet: u32) -> bool {
         self.has_sharp.get(facet as usize).copied().unwrap_or(false)
-    }
-
-    /// Returns the lines of a facet, rising.
-    pub fn lines_of(&self, facet: u32) -> &[u32] {
-        self.lines.as_ref().map_or(&[], |lines| lines.of(facet as usize))
     }
 
     /// Returns the facets that a vertex is on which is no inner one of a line.

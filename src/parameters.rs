@@ -153,6 +153,25 @@ pub fn with_segments(options: &Options) -> Result<Options> {
     Ok(Options { criterion: Criterion::RadiusEdge, ..options.clone() })
 }
 
+/// Returns the parameters of a mesh with facets. An infinite bound asks for a mesh that conforms to
+/// them, and for no quality.
+///
+/// # Errors
+/// `InvalidArgument`, naming the option, its value and the rule.
+pub fn with_facets(options: &Options) -> Result<Parameters> {
+    let options = with_segments(options)?;
+    let Options { min_dihedral, quality_bound, .. } = options;
+    if min_dihedral != 0.0 {
+        let rule = "it must be 0 with facets";
+        return refuse(say!(Name::MinDihedral, " is {min_dihedral}; {rule}"));
+    }
+    if quality_bound != f64::INFINITY {
+        return Parameters::resolve(3, &options);
+    }
+    let resolved = Parameters::resolve(3, &Options { quality_bound: 0.0, ..options })?;
+    Ok(Parameters { quality_bound: f64::INFINITY, ..resolved })
+}
+
 /// Resolves which regions are inside: those by parity where polygons of a file may be cut out, all
 /// that is not outside otherwise.
 pub fn with_interior(options: &Options, has_polygons: bool) -> Options {

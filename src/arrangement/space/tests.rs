@@ -332,7 +332,7 @@ fn loops_that_meet_are_refused() {
 #[test]
 fn diagonals_of_a_facet_are_its_interior() {
     let mut points = CUBE.to_vec();
-    points.extend([[0.0, 0.0, -1.0], [1.0, 1.0, -1.0], [0.5, 0.5, 2.0], [0.25, 0.25, -1.0]]);
+    points.extend([[0.0, 0.0, -1.0], [1.0, 1.0, -1.0], [0.5, 0.5, 2.0]]);
     for first in 0..4 {
         let mut polygons = quads();
         polygons[0][0].rotate_left(first);
@@ -489,4 +489,52 @@ fn a_poll_may_end_the_work() {
         });
         assert_eq!(result.unwrap_err().kind(), ErrorKind::Cancelled);
     }
+}
+
+/// Inputs that no facet has are on edges and facets nevertheless: exactly, or up to roundings. The
+/// edges and facets go through them, and those elsewhere change nothing.
+#[test]
+fn edges_and_facets_go_through_inputs_on_them() {
+    let mut points = CUBE.map(|x| x.map(|x| x + 1.0)).to_vec();
+    let above = 1.0 + f64::EPSILON;
+    points.extend([
+        [1.5, 1.0, 1.0],
+        [1.25, 1.0, above],
+        [1.5, 1.75, 1.0],
+        [1.25, 1.5, 2.0 + 2.0 * f64::EPSILON],
+        [1.5; 3],
+        [1.5, 1.5, 2.0],
+        [1.5, 1.25, 1.0 + 1e-9],
+        [1.5, 3.0, 1.0],
+    ]);
+    let surface = Case::surface(&points, &halves());
+    let polygons = Case::polygons(&points, &quads());
+    for case in [surface, polygons] {
+        let made = case.arrangement();
+        assert_eq!((made.facets.len(), made.subsegments.len()), (6, 14));
+        let lines: Vec<[u32; 2]> = made.subsegments.iter().map(|line| line.ends).collect();
+        for line in [[0, 9], [8, 9], [1, 8]] {
+            assert!(lines.contains(&line), "{lines:?}");
+        }
+        let with = |vertex: u32| -> Vec<u32> {
+            let own = made.triangles.iter().filter(|one| one.vertices.contains(&vertex));
+            let mut facets: Vec<u32> = own.map(|one| one.facet).collect();
+            facets.dedup();
+            facets
+        };
+        assert_eq!(
+            [8, 9, 10, 11, 13].map(with),
+            [vec![0, 2], vec![0, 2], vec![0], vec![1], vec![1]]
+        );
+        assert_eq!([12, 14, 15].map(with), [vec![], vec![], vec![]] as [Vec<u32>; 3]);
+        // Two more triangles for each vertex in a facet, and one on each side of an edge.
+        assert_eq!(made.triangles.len(), 12 + 3 * 2 + 2 * 2);
+        assert_eq!((made.near_inputs, made.farthest_near_input > 0.0), (2, true));
+        assert!(encloses_in_space(&case.inputs, &made, Interior::Winding).unwrap());
+    }
+    let segments = Case::polygons(&points, &quads()).with_segments(&[[1, 0], [0, 1], [12, 14]]);
+    let made = segments.arrangement();
+    let own: Vec<_> = made.subsegments.iter().map(|line| (line.ends, line.segment)).collect();
+    assert_eq!(own[..4], [([1, 8], 0), ([8, 9], 0), ([9, 0], 0), ([12, 14], 2)]);
+    assert_eq!(made.covered_segments, 1);
 }

@@ -33,6 +33,8 @@ mod pieces;
 mod planar;
 mod plane;
 mod polygon;
+#[cfg(test)]
+mod polygon_tests;
 mod projection;
 mod sides;
 #[cfg(test)]

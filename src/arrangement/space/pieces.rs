@@ -33,7 +33,7 @@ pub(super) struct Pieces {
     pub lines: Vec<[u32; 2]>,
     /// Facets that meet themselves, or have no area.
     pub faults: Vec<Intersection>,
-    /// First facet that is not plane, with the vertex that is farthest off.
+    /// First facet that is not plane, with its vertex that is farthest off.
     pub off_plane: Option<(u32, OffPlane)>,
 }
 
@@ -191,20 +191,20 @@ impl Maker<'_> {
             let first = self.points[polygon.vertices[0] as usize];
             return Ok(self.pieces.note_zero_area(feature, &first)?);
         };
+        let off = plane.farthest(self.points, &polygon.vertices);
+        let off = off.filter(|_| self.pieces.off_plane.is_none()).map(|off| (facet, off));
         let Some(tiling) = polygon.tiling(self.points, &plane, adopted, poll)? else {
-            self.note_meeting_itself(polygon, &plane, feature)?;
+            self.pieces.off_plane = self.pieces.off_plane.or(off);
+            let (kind, point) = meeting_of_edges(self.points, polygon, &plane)?;
+            self.pieces.note(feature, kind, point)?;
             return Ok(self.add_edges(polygon, feature)?);
         };
         if tiling.triangles.is_empty() {
             let first = self.points[polygon.vertices[0] as usize];
             self.pieces.note_zero_area(feature, &first)?;
         }
-        if self.pieces.off_plane.is_none() {
-            let off = plane.farthest(self.points, &polygon.vertices);
-            if let Some(off) = off {
-                let is_flat = are_flat(self.points, &tiling.triangles, self.coplanar)?;
-                self.pieces.off_plane = (!is_flat).then_some((facet, off));
-            }
+        if off.is_some() && !are_flat(self.points, &tiling.triangles, self.coplanar)? {
+            self.pieces.off_plane = off;
         }
         Ok(self.add_tiling(&tiling, feature)?)
     }
@@ -227,17 +227,6 @@ impl Maker<'_> {
             self.pieces.all.try_push(Piece::of_segment(ends, feature))?;
         }
         Ok(())
-    }
-
-    /// Notes a fault of a polygon whose edges meet in the projection of its plane.
-    fn note_meeting_itself(
-        &mut self,
-        polygon: &Polygon,
-        plane: &Plane,
-        feature: Feature,
-    ) -> Result<()> {
-        let (kind, point) = meeting_of_edges(self.points, polygon, plane)?;
-        Ok(self.pieces.note(feature, kind, point)?)
     }
 }
 

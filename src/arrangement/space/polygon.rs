@@ -121,7 +121,7 @@ impl Polygon {
     }
 
     /// Returns the triangles of the polygon in a projection in which its plane does not vanish;
-    /// `None` if its edges meet each other or a vertex between their ends. Edges that are `adopted`
+    /// `None` if vertices have one image, or edges meet each other or a vertex between their ends. Edges that are `adopted`
     /// are edges of triangles, too, where they meet no edge of the polygon. The polygon is without
     /// triangles if it has no area.
     pub fn tiling(
@@ -132,7 +132,8 @@ impl Polygon {
         poll: Poll<'_>,
     ) -> Result<Option<Tiling>> {
         let image = |&vertex: &u32| plane.projection.image(&points[vertex as usize]);
-        let mut planar = Planar::new(collected(self.vertices.iter().map(image))?, poll)?;
+        let images = collected(self.vertices.iter().map(image))?;
+        let Some(mut planar) = Planar::new(images, poll)? else { return Ok(None) };
         for edge in &self.edges {
             if !planar.fix(edge.ends, poll)? {
                 return Ok(None);

@@ -3,7 +3,7 @@
 use super::oracle;
 use super::*;
 use crate::error::ErrorKind;
-use crate::mesh::IntersectionKind::{self, Cross, Overlap, Touch, ZeroArea};
+use crate::mesh::IntersectionKind::{self, Cross, ZeroArea};
 use crate::numerics::testing::Random;
 use crate::options::Interior;
 

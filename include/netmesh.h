@@ -548,12 +548,12 @@ enum nm_violation
      */
     NM_VIOLATION_HULL_LINK = 18,
     /**
-     * The arrays of segments and regions do not fit each other or the mesh.
+     * The arrays of segments, facets and regions do not fit each other or the mesh.
      */
     NM_VIOLATION_BOUNDARY_ARRAYS = 19,
     /**
      * The arrays of a domain that is cut out are not the first parts of those of the whole, or its
-     * subsegments are not those that are edges of its simplices.
+     * subsegments and subfacets are not those that are edges and faces of its simplices.
      */
     NM_VIOLATION_DOMAIN_ARRAYS = 20,
     /**
@@ -618,15 +618,17 @@ enum nm_violation
      */
     NM_VIOLATION_SUBSEGMENT_EDGE = 106,
     /**
-     * A vertex is strictly inside the circle of which a subsegment is a diameter.
+     * In the plane, a vertex is strictly inside the circle of which a subsegment is a diameter.
      */
     NM_VIOLATION_SUBSEGMENT_GABRIEL = 107,
     /**
-     * Subsegments do not lead from one end of a segment to the other, or go back on the way.
+     * Subsegments do not lead from one end of a segment or of a facet's edge to the other, or go
+     * back on the way.
      */
     NM_VIOLATION_SEGMENT_CHAIN = 108,
     /**
-     * A vertex on a segment is farther from it than rounding makes it.
+     * A vertex on a segment or on a facet's edge is farther from it than rounding makes it, or a
+     * subsegment is on none.
      */
     NM_VIOLATION_SEGMENT_LINE = 109,
     /**
@@ -750,12 +752,12 @@ enum nm_violation
      */
     NM_VIOLATION_SIMPLEX_SIZE = 223,
     /**
-     * Neighbours without a subsegment between them have different labels, the label of a region is
-     * not that of its seed, or a seed has no region of its own.
+     * Neighbours without a subsegment or subfacet between them have different labels, the label of
+     * a region is not that of its seed, or a seed has no region of its own.
      */
     NM_VIOLATION_REGION_LABEL = 224,
     /**
-     * The domain ends between two neighbours where no subsegment is.
+     * The domain ends between two neighbours where no subsegment or subfacet is.
      */
     NM_VIOLATION_DOMAIN_END = 225,
     /**
@@ -1990,8 +1992,10 @@ nm_status nm_mesh_create(uint32_t dim,
 
 /**
  * Makes a mesh of the points of a file, as nm_mesh_create does; of NM_FORMAT_POLY,
- * NM_FORMAT_GEOJSON and NM_FORMAT_WKT with its segments and regions, as by nm_mesh_set_segments
- * and nm_mesh_set_regions.
+ * NM_FORMAT_SMESH, NM_FORMAT_GEOJSON and NM_FORMAT_WKT with its segments, facets and regions, as by
+ * nm_mesh_set_segments, nm_mesh_set_facets and nm_mesh_set_regions; of NM_FORMAT_OFF and
+ * NM_FORMAT_PLY in 3D with its faces, as by nm_mesh_set_triangles or, if some are no triangles,
+ * nm_mesh_set_facets.
  *
  * path_utf8: UTF-8 on every system. format: NM_FORMAT_AUTO goes by the extension. The dimension is
  * the file's.
@@ -2161,10 +2165,9 @@ NM_NODISCARD NM_API nm_status nm_mesh_counts(const struct nm_mesh *mesh, struct 
 
 /**
  * Writes what the file of nm_mesh_create_from_file or nm_mesh_create_from_columns has beside what
- * the mesh has of it: edges, faces and cells of a mesh or a surface (NM_FORMAT_GMSH,
- * NM_FORMAT_MEDIT, NM_FORMAT_OFF, NM_FORMAT_PLY, and an .ele file), of which the points alone
- * become something. Zero for all other files, and for nm_mesh_create. O(1). Before nm_run and
- * after.
+ * the mesh has of it: edges, faces and cells of a mesh (NM_FORMAT_GMSH, NM_FORMAT_MEDIT, nOFF, an
+ * .ele file), of which the points alone become something, and of NM_FORMAT_PLY what is no face in
+ * space. Zero for all other files, and for nm_mesh_create. O(1). Before nm_run and after.
  *
  * left_out: the caller sets struct_size.
  *

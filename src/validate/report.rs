@@ -51,10 +51,10 @@ pub enum ViolationKind {
     HullDisconnected = 17,
     /// The hull facets round a vertex are not connected through ridges at that vertex.
     HullLink = 18,
-    /// The arrays of segments and regions do not fit each other or the mesh.
+    /// The arrays of segments, facets and regions do not fit each other or the mesh.
     BoundaryArrays = 19,
     /// The arrays of a domain that is cut out are not the first parts of those of the whole, or its
-    /// subsegments are not those that are edges of its simplices.
+    /// subsegments and subfacets are not those that are edges and faces of its simplices.
     DomainArrays = 20,
     /// The simplices that are given for a subfacet are not those that have it, on these sides.
     SubfacetSimplices = 21,
@@ -89,11 +89,13 @@ pub enum ViolationKind {
     Winding = 105,
     /// A subsegment is no edge of the mesh.
     SubsegmentEdge = 106,
-    /// A vertex is strictly inside the circle of which a subsegment is a diameter.
+    /// In the plane, a vertex is strictly inside the circle of which a subsegment is a diameter.
     SubsegmentGabriel = 107,
-    /// Subsegments do not lead from one end of a segment to the other, or go back on the way.
+    /// Subsegments do not lead from one end of a segment or of a facet's edge to the other, or go
+    /// back on the way.
     SegmentChain = 108,
-    /// A vertex on a segment is farther from it than rounding makes it.
+    /// A vertex on a segment or on a facet's edge is farther from it than rounding makes it, or a
+    /// subsegment is on none.
     SegmentLine = 109,
     /// A subfacet is no face of the mesh.
     SubfacetFace = 110,
@@ -158,10 +160,10 @@ pub enum ViolationKind {
     DihedralAngle = 222,
     /// A simplex that meets the box of the inputs is larger than the sizes that were asked for.
     SimplexSize = 223,
-    /// Neighbours without a subsegment between them have different labels, the label of a region is
-    /// not that of its seed, or a seed has no region of its own.
+    /// Neighbours without a subsegment or subfacet between them have different labels, the label of
+    /// a region is not that of its seed, or a seed has no region of its own.
     RegionLabel = 224,
-    /// The domain ends between two neighbours where no subsegment is.
+    /// The domain ends between two neighbours where no subsegment or subfacet is.
     DomainEnd = 225,
     /// The domain has a region that is outside or a hole, or lacks one that is neither.
     DomainPlace = 226,

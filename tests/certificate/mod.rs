@@ -1,6 +1,7 @@
 //! The certificate holds for sound meshes, and names what is wrong with corrupted ones.
 
 mod corruptions;
+mod enclosed;
 mod extents;
 mod facets;
 mod geometry;
@@ -10,8 +11,10 @@ mod measures;
 mod meshes;
 mod paper;
 mod segments;
+mod shapes;
 mod sizes;
 mod solids;
+mod tilings;
 
 use meshes::{Case, brute_force, by_hand, pairs, random_points, run};
 use netmesh::options::{Algorithm, Criterion, Options, Output};

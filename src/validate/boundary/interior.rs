@@ -64,7 +64,7 @@ fn reduced(number: i64, interior: Interior) -> i64 {
     if interior == Interior::Parity { number.rem_euclid(2) } else { number }
 }
 
-/// Gives all components their numbers, from those that reach to the hull on.
+/// Gives all components their numbers, from those at the hull on.
 fn spread(
     walls: &Walls,
     steps: &[i64],
@@ -78,8 +78,23 @@ fn spread(
         sides.flat_map(|(sides, wall)| sides.map(|side| (component_of(side), wall)))
     })?;
     let mut waiting = Vec::new();
+    // A wall on the hull has nothing beyond it.
+    for (sides, &step) in walls.sides.iter().zip(steps) {
+        let [left, right] = sides.map(component_of);
+        let (within, number) = match (left, right) {
+            (NONE, right) => (right, -step),
+            (left, NONE) => (left, step),
+            _ => continue,
+        };
+        if let Some(component) = components.all.get_mut(within as usize) {
+            if component.winding.is_none() {
+                component.winding = Some(reduced(number, interior));
+                waiting.try_push(within)?;
+            }
+        }
+    }
     for (component, number) in components.all.iter_mut().zip(0u32..) {
-        if component.is_outside {
+        if component.is_outside && component.winding.is_none() {
             component.winding = Some(0);
             waiting.try_push(number)?;
         }

@@ -55,7 +55,8 @@ pub(super) fn check<const D: usize>(
         components.add_seeds(view, outline.regions, findings)?;
     }
     for component in &components.all {
-        if promised.is_cropped || component.is_of_all {
+        let is_boundary = view.mesh.parameters.extent == Extent::Boundary;
+        if promised.is_cropped || component.is_of_all || is_boundary {
             check_place(component, component.first < promised.count, outline.is_some(), findings);
         }
         if outline.is_some() {

@@ -2,23 +2,24 @@
 //! vertices on both sides of such an angle: on two facets that meet at an edge below 90 degrees, or
 //! on segments, edges of facets or facets that meet at an input below 60 degrees.
 
+use super::directions::{Vector, across, cosine, cross, direction, dot};
 use super::faces::Faces;
 use super::flat::facets_at;
 use crate::error::message;
 use crate::memory::{AllocResult, Lists, TryGrow, collected};
 use crate::mesh::Inputs;
 use crate::quality::corner::Corner;
-use crate::quality::length::Offset;
 use crate::quality::view::View;
 use crate::validate::hull::Sets;
 use crate::validate::report::{Findings, Violation, ViolationKind};
 
 /// Lengths within this of each other, relative to the larger, are one: the builder's are rounded.
 const SLACK: f64 = 1e-7;
-/// The cosine of 61.5 degrees, at inputs.
-const SMALL_ANGLE: f64 = 0.477;
-/// The cosine of 91.5 degrees, at edges.
-const SMALL_DIHEDRAL: f64 = -0.026;
+/// The cosine of 60 degrees, at inputs; with roundings, which come down to it.
+const SMALL_ANGLE: f64 = 0.5 - 1e-9;
+/// The cosine of 90 degrees, at edges: nothing forces a simplex at a right angle, which is the
+/// commonest, so that roundings do not count.
+const SMALL_DIHEDRAL: f64 = 1e-9;
 
 /// Facet by its parent, or a line by its first subsegment.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -26,8 +27,6 @@ enum Feature {
     Facet(u32),
     Line(u32),
 }
-
-type Vector = [f64; 3];
 
 struct Features<'a> {
     view: View<'a, 3>,
@@ -96,9 +95,9 @@ impl<'a> Features<'a> {
         if a != b { self.small.try_push([a.min(b), a.max(b)]) } else { Ok(()) }
     }
 
-    /// Returns the direction from a vertex to another, of a length from 1 to 4.
+    /// Returns the direction from a vertex to another.
     fn direction(&self, from: u32, to: u32) -> Vector {
-        Offset::between(self.view.point(to), self.view.point(from)).vector
+        direction(self.view.point(from), self.view.point(to))
     }
 
     fn parent(&self, subfacet: u32) -> u32 {
@@ -223,24 +222,6 @@ fn from_vertex([a, b, c]: [u32; 3], vertex: u32) -> [u32; 3] {
         _ if vertex == c => [c, a, b],
         _ => [a, b, c],
     }
-}
-
-fn dot(a: &Vector, b: &Vector) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
-}
-
-fn cross(a: &Vector, b: &Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-fn cosine(a: &Vector, b: &Vector) -> f64 {
-    dot(a, b) / (dot(a, a) * dot(b, b)).sqrt()
-}
-
-/// Returns the part of `vector` across `along`.
-fn across(vector: Vector, along: Vector) -> Vector {
-    let share = dot(&vector, &along) / dot(&along, &along);
-    [0, 1, 2].map(|axis| vector[axis] - share * along[axis])
 }
 
 /// Returns the cosine of the smallest angle between a direction and those between two others.

@@ -18,7 +18,9 @@ pub(super) struct Facet {
     pub rim: Vec<[u32; 2]>,
     /// Segments within it.
     pub within: Vec<[u32; 2]>,
-    /// Vertices that it must have.
+    /// Segments that its loops have outside of it.
+    pub beside: Vec<[u32; 2]>,
+    /// Vertices within it.
     pub points: Vec<u32>,
     /// Inputs of its own.
     pub corners: Vec<u32>,
@@ -64,8 +66,9 @@ pub(super) fn polygon(
     number: usize,
 ) -> AllocResult<Option<Facet>> {
     let vertex = |&input: &u32| inputs.vertices().get(input as usize).copied().unwrap_or(NONE);
-    let (mut edges, mut within, mut points, mut corners) =
-        (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    let (mut edges, mut corners): (Vec<[u32; 2]>, Vec<u32>) = Default::default();
+    // Segments, and vertices as their own ends.
+    let mut others: Vec<[u32; 2]> = Vec::new();
     let mut first = None;
     let mut largest: Option<([f64; 3], i32)> = None;
     for inputs_of_loop in facets.loops(number) {
@@ -76,8 +79,8 @@ pub(super) fn polygon(
         corners.try_extend(&own)?;
         match own[..] {
             [] => {}
-            [single] => points.try_push(single)?,
-            [from, to] => within.try_push([from, to])?,
+            [single] => others.try_push([single; 2])?,
+            [from, to] => others.try_push([from, to])?,
             _ => {
                 let mut area = AreaVector::zero();
                 for (&from, &to) in own.iter().zip(own.iter().cycle().skip(1)) {
@@ -98,11 +101,37 @@ pub(super) fn polygon(
     let agrees = (sign == Ordering::Less) == (normal[axis] < 0.0);
     let normal = if agrees { normal } else { normal.map(|x| -x) };
     let projection = Projection::along(&normal);
-    let rim = rim(inputs, projection, edges, &mut within)?;
     corners.sort_unstable();
     corners.dedup();
+    let rim = odd_ones(edges, &mut others)?;
+    let (within, beside, points) = Default::default();
     let parent = number as u32;
-    Ok(Some(Facet { parent, rim, within, points, corners, projection, normal }))
+    let mut facet = Facet { parent, rim, within, beside, points, corners, projection, normal };
+    facet.place(inputs, &others)?;
+    Ok(Some(facet))
+}
+
+impl Facet {
+    /// Turns the rim so that the facet is on its left, and sorts `others` by where they are.
+    fn place(&mut self, inputs: &Inputs, others: &[[u32; 2]]) -> AllocResult<()> {
+        let projection = self.projection;
+        let project = |&ends: &[u32; 2]| ends.map(|end| projection.of(point(inputs, end)));
+        let [rim, projected] =
+            [&self.rim, others].map(|edges| collected(edges.iter().map(project)));
+        let sides = inside::sides(&rim?, &projected?)?;
+        for (edge, _) in self.rim.iter_mut().zip(sides.lefts).filter(|(_, is_left)| !is_left) {
+            edge.reverse();
+        }
+        for (&[a, b], is_inside) in others.iter().zip(sides.insides) {
+            match (a == b, is_inside) {
+                (true, true) => self.points.try_push(a)?,
+                (true, false) => {}
+                (false, true) => self.within.try_push([a, b])?,
+                (false, false) => self.beside.try_push([a, b])?,
+            }
+        }
+        Ok(())
+    }
 }
 
 /// Returns true if a vector with an exponent of its own is longer than another.
@@ -111,26 +140,13 @@ fn is_longer(&(vector, exponent): &([f64; 3], i32), &(other, own): &([f64; 3], i
     square(vector) > scale(square(other), 2 * (own - exponent))
 }
 
-/// Returns those of the edges of loops that bound the polygon, with its inside on their left. What
-/// the loops have an even number of times is within it.
-fn rim(
-    inputs: &Inputs,
-    projection: Projection,
-    mut edges: Vec<[u32; 2]>,
-    within: &mut Vec<[u32; 2]>,
-) -> AllocResult<Vec<[u32; 2]>> {
+/// Returns the edges that loops have an odd number of times, and adds the others to `others`.
+fn odd_ones(mut edges: Vec<[u32; 2]>, others: &mut Vec<[u32; 2]>) -> AllocResult<Vec<[u32; 2]>> {
     edges.iter_mut().for_each(|edge| edge.sort_unstable());
     edges.sort_unstable();
     let mut rim = Vec::new();
     for same in edges.chunk_by(|a, b| a == b).filter(|same| same[0][0] != same[0][1]) {
-        if same.len() % 2 == 1 { &mut rim } else { &mut *within }.try_push(same[0])?;
-    }
-    let project = |&ends: &[u32; 2]| ends.map(|end| projection.of(point(inputs, end)));
-    let projected = collected(rim.iter().map(project))?;
-    for (edge, is_left) in rim.iter_mut().zip(inside::lefts(&projected)?) {
-        if !is_left {
-            edge.reverse();
-        }
+        if same.len() % 2 == 1 { &mut rim } else { &mut *others }.try_push(same[0])?;
     }
     Ok(rim)
 }

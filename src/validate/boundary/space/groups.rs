@@ -5,6 +5,7 @@
 //! first of its triangles.
 
 use super::super::sum::Sum;
+use super::directions::{across, cosine, direction};
 use super::given::{Facet, Projection, point};
 use super::plane::AreaVector;
 use super::tiling;
@@ -36,13 +37,21 @@ pub(super) fn check(
     let mut sets = Sets::new(triangles.len())?;
     let sides = sides(&triangles)?;
     for same in sides.chunk_by(|a, b| a.0 == b.0) {
-        if let [one, other] = same {
-            if is_joined(same[0].0, ways)? {
-                sets.join(one.1 as usize, other.1 as usize);
-                check_pair(facets, &triangles, [*one, *other], ways, findings);
+        let is_line = ways.find(same[0].0)?;
+        for (at, &one) in same.iter().enumerate() {
+            for &other in &same[at + 1..] {
+                let is_joined = match is_line {
+                    true => is_one_facet(&triangles, [one, other], ways),
+                    false => same.len() == 2,
+                };
+                if is_joined {
+                    sets.join(one.1 as usize, other.1 as usize);
+                    check_pair(facets, &triangles, [one, other], ways, findings);
+                }
             }
         }
     }
+    check_parents(ways, &mut sets, findings);
     let mut members = with_capacity(triangles.len())?;
     for triangle in 0..triangles.len() {
         members.push((sets.find(triangle) as u32, triangle as u32));
@@ -54,7 +63,6 @@ pub(super) fn check(
             None => drop(findings.check(false, || describe("a facet's triangles have no area"))),
         }
     }
-    check_parents(ways, &mut sets, findings);
     Ok(())
 }
 
@@ -85,16 +93,41 @@ fn sides(triangles: &[[u32; 3]]) -> AllocResult<Vec<Side>> {
     Ok(sides)
 }
 
-/// Returns true if two triangles that share an edge are one facet in the mesh.
-fn is_joined(ends: [u32; 2], ways: &mut Ways<'_>) -> AllocResult<bool> {
-    if !ways.find(ends)? {
-        return Ok(true);
-    }
+/// Returns true if two triangles that run through an edge in opposite directions are one facet in
+/// the mesh, which has subsegments there: the chain that was found last.
+fn is_one_facet(triangles: &[[u32; 3]], pair: [Side; 2], ways: &Ways<'_>) -> bool {
+    let [one, other] = pair.map(|side| parent_beside(triangles, side, ways));
+    pair[0].2 != pair[1].2 && one == other && one != NONE
+}
+
+/// Returns the parent of the subfacet that is beside the first subsegment of a triangle's edge as
+/// the triangle is: with its direction, and the least turned from it; or [`NONE`].
+fn parent_beside(triangles: &[[u32; 3]], (ends, triangle, is_along): Side, ways: &Ways<'_>) -> u32 {
     let [a, b] = [ways.path()[0], ways.path()[1]];
-    let parents = &ways.view.mesh.boundary.subfacet_parents;
-    let mut beside = ways.faces.beside(ways.view, [a, b]).map(|at| parents[at as usize]);
-    let pair = [beside.next(), beside.next(), beside.next()];
-    Ok(matches!(pair, [Some(one), Some(other), None] if one == other && one != NONE))
+    let edge = if is_along { [a, b] } else { [b, a] };
+    let boundary = &ways.view.mesh.boundary;
+    let along = direction(ways.view.point(a), ways.view.point(b));
+    let page = |apex: &[f64; 3]| across(direction(ways.view.point(a), apex), along);
+    let [apex, ..] = from_edge(triangles[triangle as usize], ends);
+    let own = page(ways.input(apex));
+    let (mut best, mut parent) = (f64::NEG_INFINITY, NONE);
+    for subfacet in ways.faces.beside(ways.view, [a, b]) {
+        let [apex, from, to] = from_edge(boundary.subfacets[subfacet as usize], [a, b]);
+        let cosine = cosine(&own, &page(ways.view.point(apex)));
+        if [from, to] == edge && cosine > best {
+            (best, parent) = (cosine, boundary.subfacet_parents[subfacet as usize]);
+        }
+    }
+    parent
+}
+
+/// Returns a triangle from its vertex opposite an edge on.
+fn from_edge([a, b, c]: [u32; 3], ends: [u32; 2]) -> [u32; 3] {
+    match ends {
+        _ if !ends.contains(&a) => [a, b, c],
+        _ if !ends.contains(&b) => [b, c, a],
+        _ => [c, a, b],
+    }
 }
 
 /// Checks that two triangles may be one facet.
@@ -108,9 +141,8 @@ fn check_pair(
     let marker = |side: Side| facets.markers[side.1 as usize];
     let is_one = one.2 != other.2 && marker(one) == marker(other);
     let [[first, first_apex], [second, second_apex]] = [one, other].map(|(ends, triangle, _)| {
-        let vertices = triangles[triangle as usize];
-        let apex = vertices.into_iter().find(|vertex| !ends.contains(vertex));
-        [vertices, [apex.unwrap_or(vertices[0]); 3]]
+        let vertices = from_edge(triangles[triangle as usize], ends);
+        [vertices, [vertices[0]; 3]]
     });
     let allowed = allowed_sine(ways);
     let is_flat = |triangle, apex: [u32; 3]| offset(ways.inputs, triangle, apex[0]) <= allowed;
@@ -125,9 +157,10 @@ fn check_pair(
     });
 }
 
-/// Returns the largest sine of the angle from flat between triangles that are one facet.
-fn allowed_sine(_: &Ways<'_>) -> f64 {
-    ROUNDED
+/// Returns the largest sine of the angle from flat between triangles that are one facet: each of
+/// them may be turned from its plane as far as the caller allowed.
+fn allowed_sine(ways: &Ways<'_>) -> f64 {
+    (2.0 * ways.view.mesh.parameters.coplanar).min(90.0).to_radians().sin() + ROUNDED
 }
 
 /// Returns the distance of a vertex from a triangle's plane over its largest distance from the
@@ -184,8 +217,8 @@ fn facet(
     corners.sort_unstable();
     corners.dedup();
     let (parent, projection) = (group[0].0, Projection::along(&normal));
-    let (within, points) = Default::default();
-    Ok(Some(Facet { parent, rim, within, points, corners, projection, normal }))
+    let (within, beside, points) = Default::default();
+    Ok(Some(Facet { parent, rim, within, beside, points, corners, projection, normal }))
 }
 
 /// Checks that subfacets are of facets, which have the number of their first triangle.

@@ -11,6 +11,7 @@
 //!   simplices within facets; `forced`: those that small angles excuse.
 
 mod arrays;
+mod directions;
 mod faces;
 mod flat;
 mod forced;
@@ -18,6 +19,8 @@ mod given;
 mod groups;
 mod inside;
 mod plane;
+#[cfg(test)]
+mod tests;
 mod tiling;
 mod ways;
 

@@ -44,13 +44,13 @@ pub(super) fn check(
     let view = ways.view;
     let subfacets = &view.mesh.boundary.subfacets[range(view, facet.parent)];
     check_orientations(facet, view, subfacets, findings)?;
-    check_area(facet, ways, subfacets, findings);
     let edges = sorted_edges(subfacets)?;
     let found = rim(facet.parent, &edges, findings)?;
     if let Some(expected) = expected_rim(facet, ways, findings)? {
         check_rim(facet.parent, &found, &expected, findings);
     }
     check_within(facet, ways, &edges, subfacets, findings)?;
+    check_area(facet, ways, subfacets, findings);
     let mut vertices = collected(subfacets.as_flattened().iter().copied())?;
     vertices.sort_unstable();
     vertices.dedup();
@@ -205,6 +205,9 @@ fn check_within(
                 Violation::new(ViolationKind::FacetTiling, message).vertex(a as usize)
             });
         }
+    }
+    for &ends in &facet.beside {
+        ways.check_edge(number, ends, findings)?;
     }
     for &vertex in &facet.points {
         findings.check(subfacets.as_flattened().contains(&vertex), || {

@@ -10,7 +10,7 @@ pub(in crate::netmesh) mod plane;
 pub(in crate::netmesh) mod sheet;
 
 use crate::complex::{SimplexId, VertexId};
-use crate::memory::{AllocResult, Array, TryGrow, collected, filled};
+use crate::memory::{AllocResult, Array, Lists, TryGrow, collected, filled};
 use crate::mesh::NONE;
 use crate::netmesh::state::facets::faces::Faces;
 use crate::netmesh::state::facets::plane::Plane;
@@ -298,6 +298,12 @@ impl Facets {
                 *kept = false;
             }
         }
+    }
+
+    /// Returns the facets of which each vertex is one, some of them several times.
+    pub fn at_vertices(&self, count: usize) -> AllocResult<Lists> {
+        let of = |own: &Subfacet| own.vertices.map(|vertex| (vertex.number(), own.facet));
+        Lists::of_pairs(count, || self.subfacets.iter().flat_map(of))
     }
 
     /// Returns the number of subfacets that wait for a look.

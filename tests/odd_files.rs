@@ -281,6 +281,44 @@ fn surfaces_and_complexes_are_facets_of_the_mesh() {
     assert!(error.message().starts_with("facets[0] has the inputs 3 and 0"), "{error}");
 }
 
+/// Every complex and surface of the data directory is read, with nothing left out.
+#[test]
+fn complexes_that_others_wrote_are_read() {
+    let beside = concat!(env!("CARGO_MANIFEST_DIR"), "/../shared/data");
+    let data = std::env::var_os("NETMESH_DATA").unwrap_or_else(|| beside.into());
+    let directory = std::path::Path::new(&data).join("surfaces/made");
+    let Ok(entries) = fs::read_dir(&directory) else {
+        println!("skipped: surfaces/made is not in the data directory (set NETMESH_DATA to it)");
+        return;
+    };
+    for path in entries.map(|entry| entry.unwrap().path()) {
+        if !["poly", "off"].iter().any(|known| path.extension().is_some_and(|own| own == *known)) {
+            continue;
+        }
+        let table = read_table_file(&path, Format::Auto, &Choice::default());
+        let table = table.unwrap_or_else(|error| panic!("{error}"));
+        assert!(table.left_out.is_empty(), "{}", path.display());
+        let facets = table.mesh(true).unwrap().given_facets().clone();
+        assert_eq!(facets.are_triangles, path.extension().unwrap() == "off", "{}", path.display());
+        // Bottom and top, a wall round the first at least.
+        assert!(facets.count() >= 5, "{}", path.display());
+    }
+    let table = |name: &str| {
+        let path = directory.join(name);
+        read_table_file(&path, Format::Auto, &Choice::default()).unwrap_or_else(|e| panic!("{e}"))
+    };
+    // A facet with a hole, a facet that is a segment, and an input on nothing.
+    let dangling = table("dangling.poly").outline;
+    assert_eq!(dangling.facets.loops(6).collect::<Vec<_>>(), [[8, 9, 10, 11], [12, 13, 14, 15]]);
+    assert_eq!((dangling.segments, dangling.markers), (vec![[16, 17]], vec![900]));
+    // Segments in facets.
+    let crack = table("crack.poly").outline.facets;
+    assert_eq!(crack.loops(0).collect::<Vec<_>>(), [&[0, 3, 2, 1, 8][..], &[8, 11]]);
+    let labels: Vec<i32> =
+        table("two_cubes.poly").outline.regions.iter().map(|region| region.label).collect();
+    assert_eq!(labels, [1, 2]);
+}
+
 /// What could be read and cannot be meshed is told from what is no such file.
 #[test]
 fn what_files_say_is_told_from_how_they_say_it() {

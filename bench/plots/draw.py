@@ -2,6 +2,8 @@
 
     draw.py experiments FOLDER [OUT]    from the tables in FOLDER, which bench/experiments/run.sh writes
     draw.py times TIMES.csv OUT.svg     from what `mesh_times` and triangle_times.py print
+    draw.py solid OUT.svg MESH.node NX NY NZ OFFSET CAPTION [MESH.node ...]
+                                        meshes of TetGen's files, cut open by planes
 
 These need the Python package netmesh as well:
 
@@ -28,6 +30,12 @@ def main(words):
             import speed
 
             speed.draw(times, out)
+        case ["solid", out, *rest] if rest and len(rest) % 6 == 0:
+            import solid
+
+            rows = [rest[at : at + 6] for at in range(0, len(rest), 6)]
+            cuts = [(row[0], [float(x) for x in row[1:4]], float(row[4]), row[5]) for row in rows]
+            solid.draw(out, cuts)
         case ["angles", out]:
             import angles
 

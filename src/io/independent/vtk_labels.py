@@ -11,8 +11,10 @@ assert reader.GetErrorCode() == 0
 grid = reader.GetOutput()
 types = [grid.GetCellType(i) for i in range(grid.GetNumberOfCells())]
 assert sorted(types, reverse=True) == types
-cells = [grid.GetCell(i) for i in range(len(types))]
-cells = [[cell.GetPointId(k) for k in range(cell.GetNumberOfPoints())] for cell in cells]
+cells = []
+for i in range(len(types)):
+    cell = grid.GetCell(i)
+    cells.append([cell.GetPointId(k) for k in range(cell.GetNumberOfPoints())])
 
 
 def show(kind, name):

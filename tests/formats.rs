@@ -313,7 +313,7 @@ proptest! {
 
 #[test]
 fn formats_that_cannot_be_written_say_so() {
-    for name in ["a.poly", "a.geojson", "a.wkt", "a.stl", "a", "a.json"] {
+    for name in ["a.poly", "a.smesh", "a.geojson", "a.wkt", "a.stl", "a", "a.json"] {
         let path = Path::new(name);
         let errors = [
             write_file(&two_points(), path, Format::Auto).unwrap_err(),
@@ -323,13 +323,13 @@ fn formats_that_cannot_be_written_say_so() {
         for error in errors {
             assert_eq!(error.kind(), ErrorKind::InvalidArgument, "{error}");
             assert!(error.message().starts_with(&format!("{name}: ")), "{error}");
-            let offered = [".poly,", ".geojson,", ".wkt,", ".wkt or"];
+            let offered = [".poly,", ".smesh,", ".geojson,", ".wkt,", ".wkt or"];
             assert!(offered.iter().all(|offered| !error.message().contains(offered)), "{error}");
         }
         assert!(!path.exists());
     }
     assert_eq!(Format::Off.resolve_output(Path::new("a.poly")), Ok(Format::Off));
-    for format in [Format::Poly, Format::GeoJson, Format::Wkt] {
+    for format in [Format::Poly, Format::Smesh, Format::GeoJson, Format::Wkt] {
         let error = write(&two_points(), format, &mut Vec::new()).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::InvalidArgument);
         let expected =
@@ -382,6 +382,7 @@ fn extensions_stand_for_formats() {
         (&["voronoi.json", "Voronoi.JSON"], Format::VoronoiJson),
         (&["domains.json"], Format::DomainsJson),
         (&["poly", "POLY"], Format::Poly),
+        (&["smesh"], Format::Smesh),
         (&["geojson", "GeoJSON"], Format::GeoJson),
         (&["wkt"], Format::Wkt),
     ] {
@@ -394,7 +395,7 @@ fn extensions_stand_for_formats() {
         let error = Format::from_path(Path::new(path)).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::InvalidArgument, "{path}");
         let known = ".vtu, .node, .ele, .msh, .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, .npy, \
-                     .poly, .geojson, .wkt, .voronoi.json or .domains.json";
+                     .poly, .smesh, .geojson, .wkt, .voronoi.json or .domains.json";
         assert!(error.message().ends_with(known), "{error}");
     }
 }

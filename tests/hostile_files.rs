@@ -101,6 +101,31 @@ fn huge_declared_sizes_take_no_memory() {
         let corners = format!("OFF\n1 1 0\n1 2 3\n{count} 0 0\n");
         let error = refusal(Format::Off, corners.as_bytes());
         assert!(error.message().starts_with("line 4: the face ends before"), "{error}");
+        let points = "1 3\n0 1 2 3\n";
+        for (facets, expected) in [
+            (
+                format!("{count}\n1\n1 0\n"),
+                format!("the file ends after line 5: 1 of {count} facets"),
+            ),
+            (
+                format!("1\n{count}\n1 0\n"),
+                format!("the file ends after line 5: 1 of {count} polygons"),
+            ),
+            (
+                format!("1\n1\n{count} 0\n"),
+                format!("the file ends after line 5: 1 of {count} points of"),
+            ),
+            (
+                format!("0\n{count}\n0 1 2 3\n"),
+                format!("the file ends after line 5: 1 of {count} holes"),
+            ),
+        ] {
+            let error = refusal(Format::Poly, (points.to_owned() + &facets).as_bytes());
+            assert!(error.message().starts_with(&expected), "{error}");
+        }
+        let holes = format!("{}1\n1 {count}\n3 0 1 2\n", "3 3\n0 0 0 0\n1 1 0 0\n2 0 1 0\n");
+        let error = refusal(Format::Poly, holes.as_bytes());
+        assert!(error.message().contains(&format!("0 of {count} holes of a facet")), "{error}");
         let nodes = format!("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n{count}\n1 1 2 3\n");
         let error = refusal(Format::Gmsh, nodes.as_bytes());
         let expected = format!("the file ends after line 6: 1 of {count} nodes");

@@ -142,7 +142,12 @@ fn left_out(text: &str, format: Format) -> LeftOut {
 fn what_is_left_out_of_meshes_and_surfaces_is_counted() {
     let [none, faces] = [0, 4].map(|faces| LeftOut { faces, ..LeftOut::default() });
     assert!(none.is_empty() && !faces.is_empty());
-    assert_eq!(left_out(TETRAHEDRON, Format::Off), faces);
+    // The faces of a surface are facets, unless the points are asked for alone.
+    assert_eq!(left_out(TETRAHEDRON, Format::Off), none);
+    let choice = Choice { has_points_alone: true, ..Choice::default() };
+    let alone = read_table(&mut TETRAHEDRON.as_bytes(), Format::Off, &choice).unwrap();
+    assert_eq!(alone.left_out, faces);
+    assert_eq!(alone.mesh(true).unwrap().given_facets().count(), 0);
     assert_eq!(left_out("0 0\n1 0\n0 1\n", Format::Xyz), none);
     assert_eq!(left_out("OFF\n2 0 0\n0 0 0\n1 0 0\n", Format::Off), none);
     let all = LeftOut { edges: 1, faces: 2, cells: 1 };
@@ -151,12 +156,16 @@ fn what_is_left_out_of_meshes_and_surfaces_is_counted() {
     let cells = format!("nOFF\n3\n4 5 0\n{points}2 0 1\n3 0 1 2\n3 0 1 3\n4 0 1 2 3\n1 0\n");
     assert_eq!(left_out(&cells, Format::Off), all);
     let quads = format!("OFF\n4 4 0\n{points}2 0 1\n3 0 1 2\n4 0 1 2 3\n1 0\n");
-    assert_eq!(left_out(&quads, Format::Off), LeftOut { cells: 0, ..all });
+    assert_eq!(left_out(&quads, Format::Off), none);
+    let flat = format!("nOFF\n2\n4 4 0\n0 0\n1 0\n0 1\n1 1\n2 0 1\n3 0 1 2\n4 0 1 3 2\n1 0\n");
+    assert_eq!(left_out(&flat, Format::Off), LeftOut { cells: 0, ..all });
     let ply = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n\
                property float z\nelement face 2\nproperty list uchar int vertex_indices\n\
                element edge 1\nproperty int vertex1\nproperty int vertex2\nelement camera 1\n\
                property int id\nelement tetra 1\nproperty list uchar int vertices\nend_header\n";
     let ply = format!("{ply}{points}3 0 1 2\n4 0 1 3 2\n0 1\n7\n4 0 1 2 3\n");
+    assert_eq!(left_out(&ply, Format::Ply), LeftOut { faces: 0, ..all });
+    let ply = ply.replace("int vertex_indices", "int corners");
     assert_eq!(left_out(&ply, Format::Ply), all);
     let rows: String = points.lines().map(|line| format!("{line} 0\n")).collect();
     let medit = format!(
@@ -221,10 +230,9 @@ fn elements_beside_nodes_are_left_out_by_name() {
 fn surfaces_are_refused_for_what_they_are() {
     let directory = Directory::new("surfaces");
     for (name, words) in [
-        ("part.stl", "an STL file is a surface, and facets in space are not meshed yet"),
+        ("part.stl", "an STL file is a surface in a format that is not read yet"),
         ("part.STL", "an STL file is a surface"),
         ("part.obj", "an OBJ file is a surface"),
-        ("part.smesh", "a file of TetGen's facets is a surface"),
         ("part.3mf", "a 3MF file is a surface"),
         ("part.glb", "a glTF file is a surface"),
     ] {
@@ -234,7 +242,7 @@ fn surfaces_are_refused_for_what_they_are() {
         assert_eq!(error.kind(), ErrorKind::InvalidArgument);
         assert!(error.is_of_content(), "{error}");
         assert!(error.message().contains(words), "{error}");
-        assert!(error.message().ends_with("convert it to .off, .ply or .xyz"), "{error}");
+        assert!(error.message().ends_with("convert it to .off or .ply"), "{error}");
     }
     // Whoever names a format knows better.
     let path = directory.join("part.stl");
@@ -242,6 +250,35 @@ fn surfaces_are_refused_for_what_they_are() {
     assert!(read_table_file(&path, Format::Xyz, &Choice::default()).is_ok());
     let error = read_table_file(&directory.join("a.what"), Format::Auto, &Choice::default());
     assert!(!error.unwrap_err().is_of_content());
+}
+
+/// Files of surfaces make the mesh that `set_triangles` and `set_facets` make.
+#[test]
+fn surfaces_and_complexes_are_facets_of_the_mesh() {
+    let mesh = table(TETRAHEDRON, Format::Off, "", "").unwrap().mesh(true).unwrap();
+    assert!(mesh.given_facets().are_triangles);
+    assert_eq!(mesh.given_facets().inputs, [0, 1, 2, 0, 1, 3, 0, 2, 3, 1, 2, 3]);
+    assert_eq!(mesh.given_facets().markers, [0; 4]);
+    let poly = "4 3\n0 0 0 0\n1 1 0 0\n2 0 1 0\n3 0 0 1\n3 1\n1 0 -3\n3 0 1 2\n2 0 4\n3 0 1 3\n\
+                1 2\n1 0 5\n2 2 3\n0\n1\n1 0.1 0.1 0.1 6 -1\n";
+    let mesh = table(poly, Format::Poly, "", "").unwrap().mesh(true).unwrap();
+    let facets = mesh.given_facets();
+    assert_eq!((facets.count(), facets.are_triangles), (2, false));
+    assert_eq!(facets.markers, [-3, 4]);
+    assert_eq!(facets.loops(1).collect::<Vec<_>>(), [&[0, 1, 3][..], &[1, 2]]);
+    assert_eq!(
+        (&mesh.segments().inputs[..], &mesh.segments().markers[..]),
+        (&[[2, 3]][..], &[5][..])
+    );
+    assert_eq!((mesh.regions()[0].seed, mesh.regions()[0].label), ([0.1, 0.1, 0.1], 6));
+    // Two numbers of one point, which only a mesh can tell.
+    let off = "OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n0 0 0\n3 0 1 3\n";
+    let error = table(off, Format::Off, "", "").unwrap().mesh(true).unwrap_err();
+    assert!(error.is_of_content() && error.kind() == ErrorKind::InvalidArgument, "{error}");
+    assert!(error.message().starts_with("triangles[0] has the inputs 3 and 0"), "{error}");
+    let off = off.replace("3 0 1 3", "4 0 1 2 3");
+    let error = table(&off, Format::Off, "", "").unwrap().mesh(true).unwrap_err();
+    assert!(error.message().starts_with("facets[0] has the inputs 3 and 0"), "{error}");
 }
 
 /// What could be read and cannot be meshed is told from what is no such file.
@@ -257,6 +294,8 @@ fn what_files_say_is_told_from_how_they_say_it() {
         (Format::Poly, poly("1 0\n1 1 x\n0\n"), false),
         (Format::Poly, poly("1 0\n1 1\n0\n"), false),
         (Format::Poly, poly("2 0\n1 1 2\n"), false),
+        (Format::Smesh, "2 3\n1 0 0 0\n2 1 0 0\n1\n3 1 2 3\n".into(), true),
+        (Format::Smesh, "2 3\n1 0 0 0\n2 1 0 0\n1\n3 1 2\n".into(), false),
         (Format::Wkt, "POLYGON((0 0,1 0,1 1,0 1))".into(), true),
         (Format::Wkt, "POLYGON((0 0,1 0,0 0))".into(), true),
         (Format::Wkt, "LINESTRING(0 0)".into(), true),

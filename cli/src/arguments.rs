@@ -15,6 +15,7 @@ Examples:
   netmesh points.xyz -o mesh.vtu --validate
   netmesh points.csv -o mesh.off --finish --bound 3.5
   netmesh points.xyz -o delaunay.vtu --algorithm delaunay
+  netmesh part.off -o part.msh --max-edge 0.5
   netmesh scan.csv --columns x,y,z --attributes intensity -o scan.vtu
   program | netmesh - --input-format xyz -o - --output-format off > mesh.off";
 
@@ -25,7 +26,8 @@ Examples:
 #[derive(Debug, Parser)]
 #[command(name = "netmesh", version, after_help = format!("{EXAMPLES}\n\n{}", exit_code::HELP))]
 pub struct Arguments {
-    /// File of points; of a mesh its points. "-" is standard input, with --input-format
+    /// File of points, perhaps with segments or facets; of a mesh its points. "-" is standard input,
+    /// with --input-format
     pub input: PathBuf,
 
     /// File for the mesh; its extension names the format. "-" is standard output, with
@@ -42,6 +44,10 @@ pub struct Arguments {
     /// names of a CSV header (x,y,z). For XYZ, CSV and NumPy files, which often have more columns
     #[arg(long, value_name = "LIST", value_parser = parse_columns, allow_hyphen_values = true)]
     pub columns: Option<Columns>,
+
+    /// Read the points of the input alone, and leave segments, facets and regions
+    #[arg(long)]
+    pub points: bool,
 
     /// Columns of the input that the output gets as attributes of the points: names (of a CSV
     /// header or of PLY's properties), numbers from 1, ranges, NAME=COLUMN for another name, or
@@ -171,6 +177,7 @@ impl Arguments {
         Choice {
             coordinates: self.columns.clone().unwrap_or_default(),
             attributes: self.attributes.clone().unwrap_or_default(),
+            has_points_alone: self.points,
         }
     }
 

@@ -45,8 +45,10 @@ pub enum FormatName {
     VoronoiJson,
     /// The domains and their cages, write only (.domains.json)
     DomainsJson,
-    /// Triangle's points, segments and regions, read only (.poly)
+    /// Points with segments (Triangle) or facets (TetGen) and regions, read only (.poly)
     Poly,
+    /// TetGen's points, facets and regions, a line for each facet, read only (.smesh)
+    Smesh,
     /// Points, lines and polygons of GeoJSON, read only (.geojson)
     #[value(name = "geojson")]
     GeoJson,
@@ -60,7 +62,7 @@ pub struct ReadableFormat(pub FormatName);
 
 impl ValueEnum for ReadableFormat {
     fn value_variants<'a>() -> &'a [Self] {
-        const READABLE: [ReadableFormat; 11] = [
+        const READABLE: [ReadableFormat; 12] = [
             ReadableFormat(FormatName::Tetgen),
             ReadableFormat(FormatName::Gmsh),
             ReadableFormat(FormatName::Medit),
@@ -70,6 +72,7 @@ impl ValueEnum for ReadableFormat {
             ReadableFormat(FormatName::Csv),
             ReadableFormat(FormatName::Npy),
             ReadableFormat(FormatName::Poly),
+            ReadableFormat(FormatName::Smesh),
             ReadableFormat(FormatName::GeoJson),
             ReadableFormat(FormatName::Wkt),
         ];
@@ -123,6 +126,7 @@ impl FormatName {
             Self::VoronoiJson => Format::VoronoiJson,
             Self::DomainsJson => Format::DomainsJson,
             Self::Poly => Format::Poly,
+            Self::Smesh => Format::Smesh,
             Self::GeoJson => Format::GeoJson,
             Self::Wkt => Format::Wkt,
         }

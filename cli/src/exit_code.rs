@@ -18,7 +18,7 @@ pub enum ExitCode {
     /// The input is missing, unreadable, ragged or not numbers.
     InputUnreadable = 3,
     /// The input was read and cannot be meshed: non-finite, degenerate, dimension out of range,
-    /// segments and regions that no mesh has, a surface.
+    /// segments, facets and regions that no mesh has, a surface in a format that is not read.
     InputRefused = 4,
     /// A limit was reached: `--max-vertices`, 32-bit ids, memory, the largest double.
     Limit = 5,
@@ -39,7 +39,8 @@ Exit codes:
   3  input missing, unreadable or malformed
   4  input refused: non-finite coordinate, fewer than two distinct points,
      dimension other than 2 to 8, lower affine rank with --algorithm delaunay,
-     segments or seeds that no mesh can have, a surface, sizes that are none
+     segments, facets or seeds that no mesh can have, surfaces as .stl or .obj,
+     sizes that are none
   5  limit reached: --max-vertices, 32-bit ids, memory, or points so far
      apart (above about 2e307) that the cage around them leaves the doubles
   6  cancelled

@@ -11,7 +11,11 @@ use std::path::{Path, PathBuf};
 pub fn require_distinct(arguments: &Arguments) -> Result<(), Failure> {
     let outputs = outputs(arguments)?;
     if let Some(json) = arguments.json.as_deref() {
-        if outputs.iter().any(|output| will_be_same(output, json) || are_same(output, json)) {
+        if outputs
+            .iter()
+            .chain(&all_parts(arguments)?)
+            .any(|output| will_be_same(output, json) || are_same(output, json))
+        {
             let message = format!(
                 "{}: both the mesh and the JSON object would go here; name another file for --json",
                 standard::output_name(json)
@@ -19,6 +23,19 @@ pub fn require_distinct(arguments: &Arguments) -> Result<(), Failure> {
             return Err(Failure::new(ExitCode::Usage, message));
         }
     }
+    require_no_input(outputs.iter().chain(&arguments.json), arguments)
+}
+
+/// Refuses files of segments and facets that are the input.
+pub fn require_distinct_parts(parts: &[PathBuf], arguments: &Arguments) -> Result<(), Failure> {
+    require_no_input(parts.iter(), arguments)
+}
+
+/// Refuses outputs that are the input.
+fn require_no_input<'a>(
+    mut outputs: impl Iterator<Item = &'a PathBuf>,
+    arguments: &Arguments,
+) -> Result<(), Failure> {
     if arguments.force || standard::is_meant(&arguments.input) {
         return Ok(());
     }
@@ -26,7 +43,7 @@ pub fn require_distinct(arguments: &Arguments) -> Result<(), Failure> {
     let Ok(input) = io::input_path(&arguments.input, arguments.input_format()) else {
         return Ok(());
     };
-    match outputs.iter().chain(&arguments.json).find(|output| are_same(&input, output)) {
+    match outputs.find(|output| are_same(&input, output)) {
         None => Ok(()),
         Some(output) => {
             let message = format!(
@@ -48,6 +65,22 @@ pub fn outputs(arguments: &Arguments) -> Result<Vec<PathBuf>, Failure> {
         Some(path) => io::output_paths(path, arguments.output_format())
             .map_err(|error| Failure::writing(&path.display().to_string(), &error)),
     }
+}
+
+/// Returns the files that the mesh goes to besides, if it has a dimension and segments or facets.
+pub fn parts(arguments: &Arguments, dim: usize) -> Result<Vec<PathBuf>, Failure> {
+    match arguments.output.as_deref() {
+        Some(path) if !standard::is_meant(path) && arguments.product() == Product::Mesh => {
+            io::part_paths(path, arguments.output_format(), dim)
+                .map_err(|error| Failure::writing(&path.display().to_string(), &error))
+        }
+        _ => Ok(Vec::new()),
+    }
+}
+
+/// Returns the files that segments or facets of any dimension would make.
+pub fn all_parts(arguments: &Arguments) -> Result<Vec<PathBuf>, Failure> {
+    Ok([parts(arguments, 2)?, parts(arguments, 3)?].concat())
 }
 
 /// Returns true for two names of a file that need not be there yet.

@@ -25,8 +25,8 @@ use std::time::Instant;
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     check_paths(arguments)?;
     let files = files_to_write(arguments)?;
-    interruption::clean_up_after(files.clone());
-    require_writable(files, arguments)?;
+    interruption::clean_up_after([&*files, &same_file::all_parts(arguments)?].concat());
+    output::require_writable(&files)?;
     let display = Display::new(!arguments.quiet);
     let mut times = Times::default();
     let mut mesh = {
@@ -41,7 +41,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     if let Some(output) = &arguments.output {
         require_output_format(&mesh, output, arguments)?;
-        require_parts_of_segments(&mesh, arguments)?;
+        require_parts(&mesh, arguments)?;
     }
     timed(&mut times.mesh, || make(&mut mesh, arguments, &display))?;
     let alpha_shape = timed(&mut times.write, || write(&mesh, arguments, &display))?;
@@ -64,6 +64,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         };
         let summary = Summary {
             arguments,
+            mesh: &mesh,
             inputs: mesh.inputs(),
             left_out: mesh.left_out(),
             attributes: mesh.attributes(),
@@ -109,19 +110,17 @@ fn files_to_write(arguments: &Arguments) -> Result<Vec<PathBuf>, Failure> {
     Ok(files)
 }
 
-/// Refuses outputs that cannot be written, but for those that only segments make.
-fn require_writable(mut files: Vec<PathBuf>, arguments: &Arguments) -> Result<(), Failure> {
-    let of_segments: Vec<PathBuf> = same_file::outputs(arguments)?.into_iter().skip(2).collect();
-    files.retain(|path| !of_segments.contains(path));
-    output::require_writable(&files)
-}
-
-/// Refuses outputs of a mesh with segments, or with a boundary like theirs, that cannot be written.
-fn require_parts_of_segments(mesh: &Mesh, arguments: &Arguments) -> Result<(), Failure> {
+/// Refuses the files that only segments and facets make, or a boundary like theirs, if they cannot
+/// be written or are the input.
+fn require_parts(mesh: &Mesh, arguments: &Arguments) -> Result<(), Failure> {
     let is_bounded = matches!(arguments.options().extent, Extent::Hull | Extent::Box);
-    match mesh.segments().count() {
+    match mesh.segments().count() + mesh.given_facets().count() {
         0 if !is_bounded => Ok(()),
-        _ => output::require_writable(&same_file::outputs(arguments)?),
+        _ => {
+            let parts = same_file::parts(arguments, mesh.inputs().dim())?;
+            same_file::require_distinct_parts(&parts, arguments)?;
+            output::require_writable(&parts)
+        }
     }
 }
 

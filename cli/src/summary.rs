@@ -9,7 +9,7 @@ use crate::standard;
 use netmesh::quality::Quality;
 use netmesh::validate::Report;
 use netmesh::{
-    Algorithm, Attribute, Criterion, Extent, GivesWay, Inputs, LeftOut, NetOrdering, Output,
+    Algorithm, Attribute, Criterion, Extent, GivesWay, Inputs, LeftOut, Mesh, NetOrdering, Output,
     Triangulation, VertexKind,
 };
 use std::fmt::Write;
@@ -27,6 +27,7 @@ pub struct Times {
 /// All that the summary tells.
 pub struct Summary<'a> {
     pub arguments: &'a Arguments,
+    pub mesh: &'a Mesh,
     pub inputs: &'a Inputs,
     pub left_out: LeftOut,
     pub attributes: &'a [Attribute],
@@ -46,6 +47,7 @@ impl Summary<'_> {
         self.add_attributes(&mut lines);
         self.add_task(&mut lines);
         self.add_mesh(&mut lines);
+        self.add_facets(&mut lines);
         self.add_quality(&mut lines);
         self.add_alpha_shape(&mut lines);
         if self.arguments.stats {
@@ -71,7 +73,7 @@ impl Summary<'_> {
         );
     }
 
-    /// Adds the elements of a mesh or a surface in the file, of which the points alone are meshed.
+    /// Adds the elements of a mesh or a surface in the file that are not meshed.
     fn add_left_out(&self, lines: &mut Lines) {
         let LeftOut { edges, faces, cells } = self.left_out;
         let parts = [(edges, "edge", "edges"), (faces, "face", "faces"), (cells, "cell", "cells")];
@@ -79,9 +81,14 @@ impl Summary<'_> {
         let parts: Vec<String> =
             parts.map(|(count, one, many)| counted(count, one, many)).collect();
         if !parts.is_empty() {
-            let text =
-                parts.join(", ") + "; of the mesh or surface in the file the points are meshed";
-            lines.add("left out", text);
+            let rest = match self.arguments.points {
+                true => "--points asks for the points alone",
+                false if self.mesh.given_facets().count() > 0 => {
+                    "the facets in the file are meshed"
+                }
+                false => "of the mesh or surface in the file the points are meshed",
+            };
+            lines.add("left out", format!("{}; {rest}", parts.join(", ")));
         }
     }
 
@@ -120,7 +127,8 @@ impl Summary<'_> {
             Extent::Auto | Extent::All => "",
             Extent::Hull => " of the hull",
             Extent::Box => " of the box",
-            Extent::Boundary => " of what segments enclose",
+            Extent::Boundary if self.inputs.dim() == 2 => " of what segments enclose",
+            Extent::Boundary => " of what facets enclose",
         };
         let criterion = match parameters.criterion {
             Criterion::VoronoiAspect => "Voronoi aspect",
@@ -160,6 +168,26 @@ impl Summary<'_> {
                 counted(self.triangulation.domains.len() as u64, "domain", "domains"),
             ),
         );
+    }
+
+    /// Adds facets and segments in space, and what they are in the mesh.
+    fn add_facets(&self, lines: &mut Lines) {
+        let (facets, segments) = (self.mesh.given_facets(), self.mesh.segments().count());
+        let boundary = &self.triangulation.boundary;
+        if self.inputs.dim() != 3 || facets.count() + segments == 0 {
+            return;
+        }
+        let (one, many) = match facets.are_triangles {
+            true => ("triangle", "triangles"),
+            false => ("facet", "facets"),
+        };
+        let given = [(facets.count(), one, many), (segments, "segment", "segments")];
+        let given = given.into_iter().filter(|(count, _, _)| *count > 0);
+        let given: Vec<String> =
+            given.map(|(count, one, many)| counted(count as u64, one, many)).collect();
+        let subfacets = counted(boundary.subfacets.len() as u64, "subfacet", "subfacets");
+        let subsegments = counted(boundary.subsegments.len() as u64, "subsegment", "subsegments");
+        lines.add("facets", format!("{}; {subfacets}, {subsegments}", given.join(", ")));
     }
 
     fn count_of(&self, kind: VertexKind) -> u64 {

@@ -47,7 +47,10 @@ fn streams_need_a_format_that_fits() {
         .assert_failure(3, &["standard input: line 2, column 2"]);
     bench.run_with_input("- --input-format vtu", SQUARE).assert_failure(
         2,
-        &["--input-format", "tetgen, gmsh, medit, off, ply, xyz, csv, npy, poly, geojson, wkt]"],
+        &[
+            "--input-format",
+            "tetgen, gmsh, medit, off, ply, xyz, csv, npy, poly, smesh, geojson, wkt]",
+        ],
     );
 }
 

@@ -1,5 +1,5 @@
-//! A reader of points, segments and seeds of the plane refuses bytes with a documented kind, or
-//! reads what a mesh takes or refuses by name.
+//! A reader of points, segments, facets and seeds refuses bytes with a documented kind, or reads
+//! what a mesh takes or refuses by name.
 
 use netmesh::io::{Choice, Format, Table, read_table};
 use netmesh::{ErrorKind, Mesh, Result};
@@ -32,17 +32,43 @@ pub fn check_text(format: Format, text: &[u8]) -> bool {
 }
 
 fn check_table(table: &Table) {
-    assert_eq!(table.points.dim, 2);
-    let count = table.points.coordinates.len() / 2;
+    let dim = table.points.dim;
+    assert!(dim == 2 || dim == 3, "dimension {dim}");
+    let count = table.points.coordinates.len() / dim;
     let outline = &table.outline;
+    check_facets(table);
     assert_eq!(outline.markers.len(), outline.segments.len());
     for &[from, to] in &outline.segments {
         assert!(from != to && (from.max(to) as usize) < count, "{from} {to} of {count}");
     }
-    let Ok(mut mesh) = Mesh::new(2, count, &table.points.coordinates, 0) else { return };
+    let Ok(mut mesh) = Mesh::new(dim, count, &table.points.coordinates, 0) else { return };
     if let Err(error) = mesh.set_segments(outline.segments.as_flattened(), Some(&outline.markers)) {
         // Two numbers of one point.
         assert!(error.message().contains("which are the same point"), "{error}");
     }
     mesh.set_regions(&outline.regions).expect("seeds are finite, and edges have lengths");
+    if let Err(error) = table.mesh(true) {
+        let is_of_equal_points = error.message().contains("which are the same point");
+        // A face of a surface may have a point twice.
+        let has_point_twice = outline.facets.are_triangles || dim == 3;
+        assert!(
+            is_of_equal_points || (has_point_twice && error.message().contains(" twice")),
+            "{error}"
+        );
+    }
+}
+
+/// Checks that facets have loops of points that are there.
+pub fn check_facets(table: &Table) {
+    let facets = &table.outline.facets;
+    let count = table.points.coordinates.len() / table.points.dim;
+    assert!(facets.count() == 0 || table.points.dim == 3);
+    for facet in 0..facets.count() {
+        assert!(facets.loops(facet).any(|corners| corners.len() > 2), "facet {facet}");
+        for corners in facets.loops(facet) {
+            assert!(!corners.is_empty() && corners.iter().all(|&corner| (corner as usize) < count));
+        }
+        let is_triangle = facets.loops(facet).map(<[u32]>::len).eq([3]);
+        assert!(is_triangle || !facets.are_triangles, "facet {facet}");
+    }
 }

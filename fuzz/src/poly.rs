@@ -1,4 +1,4 @@
-//! The reader of Triangle's `.poly`.
+//! The readers of `.poly` and of `.smesh`.
 
 use super::outlines;
 use netmesh::io::Format;
@@ -8,7 +8,9 @@ pub fn check(data: &[u8]) {
     check_text(data);
 }
 
-/// Checks a file; returns true if it was accepted.
+/// Checks a file in both formats; returns true if one was accepted.
 pub fn check_text(text: &[u8]) -> bool {
-    outlines::check_text(Format::Poly, text)
+    [Format::Poly, Format::Smesh]
+        .into_iter()
+        .fold(false, |was_accepted, format| outlines::check_text(format, text) || was_accepted)
 }

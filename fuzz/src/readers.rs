@@ -1,6 +1,7 @@
 //! Readers refuse bytes with a documented kind, or read points that every writer gives back.
 
 use super::bytes::Bytes;
+use super::outlines::check_facets;
 use super::triangulations::bits;
 use netmesh::io::{Choice, Format, PointCloud, read, read_table, write};
 use netmesh::{Algorithm, ErrorKind, Mesh, Options, Result};
@@ -59,6 +60,7 @@ fn check_attributes(format: Format, text: &[u8], points: &Result<PointCloud>) {
             assert_eq!(points.as_ref(), Ok(&table.points));
             let count = table.points.coordinates.len() / table.points.dim;
             assert!(table.attributes.iter().all(|attribute| attribute.values.len() == count));
+            check_facets(&table);
         }
         Err(error) => assert!(
             REFUSALS.contains(&error.kind()) || error.kind() == ErrorKind::InvalidArgument,

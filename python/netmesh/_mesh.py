@@ -57,6 +57,7 @@ def mesh(
     extent: Literal["auto", "all", "hull", "box", "boundary"] = "auto",
     interior: Literal["auto", "seeds", "parity", "winding"] = "auto",
     crossings: Literal["refuse", "split"] = "refuse",
+    coplanar: float = 0.0,
     max_edge: float = 0.0,
     distance_ratio: float = 0.0,
     size: Any = None,
@@ -129,19 +130,25 @@ def mesh(
         misses it is counted. 'angle': some tetrahedra stay below the dihedral angle; 'bound': some
         cells, or tetrahedra, go beyond the bound.
     extent : {'auto', 'all', 'hull', 'box', 'boundary'}
-        Region that the mesh covers, in 2D; what lies beyond is cut away. 'auto': boundary where
-        segments enclose something, otherwise all; 'all': all of the mesh, to the cage round all
-        inputs; 'hull': the convex hull of the inputs; 'box': the bounding box of the inputs;
-        'boundary': the region that segments enclose.
+        Region that the mesh covers; what lies beyond is cut away. In 3D auto, all or boundary,
+        above all. 'auto': boundary where segments or facets enclose something, otherwise all;
+        'all': all of the mesh, to the cage round all inputs; 'hull': the convex hull of the inputs,
+        in 2D; 'box': the bounding box of the inputs, in 2D; 'boundary': the region that segments or
+        facets enclose.
     interior : {'auto', 'seeds', 'parity', 'winding'}
-        Rule by which regions between segments are inside, where `extent` is auto or boundary; seeds
-        may make holes of them. 'auto': parity for the polygons of a GeoJSON or WKT file, seeds
-        otherwise; 'seeds': all that cannot be reached from outside without crossing a segment;
-        'parity': regions into which a path from outside crosses an odd number of segments;
-        'winding': regions whose winding number, by the directions of the segments, is not 0.
+        Rule by which regions between segments, in 3D between facets, are inside, where `extent` is
+        auto or boundary; seeds may make holes of them. 'auto': parity for the polygons of a GeoJSON
+        or WKT file, seeds otherwise; 'seeds': all that cannot be reached from outside without
+        crossing a segment or facet; 'parity': regions into which a path from outside crosses an odd
+        number of segments or facets; 'winding': regions whose winding number, by the directions of
+        the segments or the normals of the facets, is not 0.
     crossings : {'refuse', 'split'}
-        Treatment of segments that cross where no input is. 'refuse': the run is refused; 'split':
-        the double nearest to the crossing becomes a vertex of both.
+        Treatment of segments in 2D that cross where no input is. 'refuse': the run is refused;
+        'split': the double nearest to the crossing becomes a vertex of both.
+    coplanar : float
+        Angle from flat in degrees, in 3D, up to which triangles of a surface that share an edge and
+        have one marker are one facet, and facets may be bent; by default only as far as roundings
+        explain. From 0 to 10.
     max_edge : float
         Length that no edge exceeds of simplices that meet the box of the inputs. Not in
         hierarchical meshes. Above 0.

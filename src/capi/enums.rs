@@ -189,14 +189,14 @@ pub enum nm_feature {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum nm_intersection_kind {
     /// The interior of one of the two goes through the other.
-    NM_INTERSECTION_CROSS = 1,
+    NM_INTERSECTION_CROSS = 0,
     /// They meet on the boundary of one of them, and neither goes through the other.
-    NM_INTERSECTION_TOUCH = 2,
+    NM_INTERSECTION_TOUCH = 1,
     /// They share an area or a length: coplanar facets that overlap, collinear segments and edges,
     /// duplicates.
-    NM_INTERSECTION_OVERLAP = 3,
+    NM_INTERSECTION_OVERLAP = 2,
     /// The facet, or a triangle of it, has no area; both features are that facet.
-    NM_INTERSECTION_ZERO_AREA = 4,
+    NM_INTERSECTION_ZERO_AREA = 3,
 }
 
 /// File formats; docs/formats.md tells what each contains. Point formats (XYZ, CSV, NPY) can be

@@ -19,11 +19,11 @@ pub struct nm_intersection {
     pub struct_size: u32,
     /// The kind of the intersection.
     pub kind: nm_intersection_kind,
-    /// Whether the first of the two is a facet or a segment.
+    /// The kind of the first of the two, a facet or a segment.
     pub first_feature: nm_feature,
     /// The number of the first in nm_mesh_set_facets, nm_mesh_set_triangles or nm_mesh_set_segments.
     pub first: u32,
-    /// Whether the second is a facet or a segment.
+    /// The kind of the second.
     pub second_feature: nm_feature,
     /// The number of the second; a facet that meets itself, or has no area, is both.
     pub second: u32,

@@ -68,10 +68,9 @@ fn count(mesh: &Mesh) -> nm_counts {
 }
 
 /// Writes what the file of nm_mesh_create_from_file or nm_mesh_create_from_columns has beside what
-/// the mesh has of it: edges, faces and cells of a mesh or a surface (NM_FORMAT_GMSH,
-/// NM_FORMAT_MEDIT, NM_FORMAT_OFF, NM_FORMAT_PLY, and an .ele file), of which the points alone
-/// become something. Zero for all other files, and for nm_mesh_create. O(1). Before nm_run and
-/// after.
+/// the mesh has of it: edges, faces and cells of a mesh (NM_FORMAT_GMSH, NM_FORMAT_MEDIT, nOFF, an
+/// .ele file), of which the points alone become something, and of NM_FORMAT_PLY what is no face in
+/// space. Zero for all other files, and for nm_mesh_create. O(1). Before nm_run and after.
 ///
 /// left_out: the caller sets struct_size.
 ///

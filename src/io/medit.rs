@@ -1,8 +1,8 @@
 //! Medit's `.mesh`, as text.
 
-use super::Table;
 use super::columns::OrRule;
 use super::text::{Line, Lines, Points, write_point};
+use super::{Markers, Table};
 use crate::arrays::domains::simplices;
 use crate::error::{Error, ErrorKind, Result};
 use crate::mesh::{Boundary, LeftOut, Triangulation};
@@ -154,11 +154,11 @@ fn read_vertices(lines: &mut Lines<'_>, dim: usize, count: u64) -> Result<Points
     Ok(points)
 }
 
-/// Writes the mesh. With segments, edges have their markers as references, and triangles the labels
-/// of their regions.
+/// Writes the mesh. With segments and facets, edges and the triangles of facets have their markers
+/// as references, and simplices the labels of their regions.
 pub(super) fn write(
     triangulation: &Triangulation,
-    markers: &[i32],
+    markers: Markers<'_>,
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let dim = triangulation.dim;
@@ -168,12 +168,19 @@ pub(super) fn write(
         write_point(out, point, " ")?;
         writeln!(out, " {}", *kind as u8)?;
     }
-    let Boundary { subsegments, simplex_regions, .. } = &triangulation.boundary;
+    let Boundary { subsegments, subfacets, simplex_regions, .. } = &triangulation.boundary;
     if !subsegments.is_empty() {
         writeln!(out, "Edges\n{}", subsegments.len())?;
-        for (ends, marker) in triangulation.boundary.marked(markers) {
+        for (ends, marker) in triangulation.boundary.marked(markers.segments) {
             let [from, to] = ends.map(|end| u64::from(end) + 1);
             writeln!(out, "{from} {to} {marker}")?;
+        }
+    }
+    if !subfacets.is_empty() {
+        writeln!(out, "Triangles\n{}", subfacets.len())?;
+        for (corners, marker) in triangulation.boundary.marked_facets(markers.facets) {
+            let [a, b, c] = corners.map(|corner| u64::from(corner) + 1);
+            writeln!(out, "{a} {b} {c} {marker}")?;
         }
     }
     let field = if dim == 2 { "Triangles" } else { "Tetrahedra" };
@@ -236,5 +243,11 @@ mod tests {
              0 1 2\n\
             Edges\n2\n1 3 -5\n2 1 6\nTriangles\n2\n1 2 3 7\n1 3 4 -8\nEnd\n";
         assert_eq!(String::from_utf8(text).unwrap(), expected);
+        let mut text = Vec::new();
+        write(&samples::solid_with_facets(), Format::Medit, &mut text).unwrap();
+        let text = String::from_utf8(text).unwrap();
+        let expected = "\nEdges\n3\n4 2 6\n2 3 0\n3 4 0\nTriangles\n3\n2 1 3 -5\n4 2 3 9\n5 3 4 0\n\
+                        Tetrahedra\n2\n1 2 3 4 7\n2 3 4 5 -8\nEnd\n";
+        assert!(text.ends_with(expected), "{text}");
     }
 }

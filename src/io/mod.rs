@@ -77,7 +77,7 @@ pub use values::{Outline, Table};
 
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::AllocError;
-use crate::mesh::{Attribute, Mesh, Triangulation};
+use crate::mesh::{Attribute, Boundary, Mesh, Triangulation};
 use std::fs::File;
 use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
@@ -150,19 +150,33 @@ pub fn input_path(path: &Path, format: Format) -> Result<PathBuf> {
     }
 }
 
-/// Returns the files that [`write_file`] makes: one, of TetGen's format two, and with segments
-/// four.
+/// Returns the files that [`write_file`] makes of every mesh: one, of TetGen's format two.
 ///
 /// # Errors
 /// `InvalidArgument`: an extension that names no format.
 pub fn output_paths(path: &Path, format: Format) -> Result<Vec<PathBuf>> {
     match format.resolve_output(path)? {
         Format::TetgenNode => {
-            let ((node, ele), (edge, poly)) =
-                (tetgen::paths(path), tetgen::paths_of_segments(path));
-            Ok(vec![node, ele, edge, poly])
+            let (node, ele) = tetgen::paths(path);
+            Ok(vec![node, ele])
         }
         _ => Ok(vec![path.to_path_buf()]),
+    }
+}
+
+/// Returns the files that [`write_file`] makes besides, of a mesh of a dimension with segments or
+/// facets: of TetGen's format the `.edge` part, and the `.poly` part in the plane or the `.face`
+/// part in space.
+///
+/// # Errors
+/// `InvalidArgument`: an extension that names no format.
+pub fn part_paths(path: &Path, format: Format, dim: usize) -> Result<Vec<PathBuf>> {
+    let format = format.resolve_output(path)?;
+    let tetgen::Parts { edge, poly, face } = tetgen::Parts::new(path);
+    match (format, dim) {
+        (Format::TetgenNode, 2) => Ok(vec![edge, poly]),
+        (Format::TetgenNode, 3) => Ok(vec![edge, face]),
+        _ => Ok(Vec::new()),
     }
 }
 
@@ -266,9 +280,9 @@ fn read_named(
 /// old file is untouched and nothing is left beside it.
 ///
 /// `TetgenNode` writes two files. `a.node` and `a.ele` both stand for the pair; any other name `b`
-/// is that of the `.node` part and the other is `b.ele`. With segments there are an `.edge` part
-/// and a
-/// `.poly` part too. All are complete before any is renamed.
+/// is that of the `.node` part and the other is `b.ele`. With segments or facets there are an
+/// `.edge` part and, in the plane, a `.poly` part, in space a `.face` part too. All are complete
+/// before any is renamed.
 ///
 /// A symbolic link is followed, also to where no file is yet; a read-only file is refused; a
 /// device or a pipe, which cannot be replaced, is written as by [`write()`].
@@ -298,17 +312,26 @@ pub fn write_file_with(
     }
     match content {
         Content::Tetgen(mesh, triangulation, attributes) => {
-            let ((node, ele), (edge, poly)) =
-                (tetgen::paths(path), tetgen::paths_of_segments(path));
-            let (markers, regions) = (mesh.markers_of_result(), mesh.outline_of_result().1);
+            let (node, ele) = tetgen::paths(path);
+            let tetgen::Parts { edge, poly, face } = tetgen::Parts::new(path);
+            let Markers { segments, facets } = Markers::of(mesh);
+            let regions = mesh.outline_of_result().1;
+            let write_poly: replace::Body<'_> =
+                &|out| tetgen::write_poly(triangulation, segments, regions, out);
+            let write_face: replace::Body<'_> =
+                &|out| tetgen::write_face(triangulation, facets, out);
             let files: [(&Path, replace::Body<'_>); 4] = [
                 (&node, &|out| tetgen::write_node(triangulation, attributes, out)),
                 (&ele, &|out| tetgen::write_ele(triangulation, out)),
-                (&edge, &|out| tetgen::write_edge(triangulation, markers, out)),
-                (&poly, &|out| tetgen::write_poly(triangulation, markers, regions, out)),
+                (&edge, &|out| tetgen::write_edge(triangulation, segments, out)),
+                match triangulation.dim {
+                    2 => (&poly, write_poly),
+                    _ => (&face, write_face),
+                },
             ];
-            let has_segments = !triangulation.boundary.subsegments.is_empty();
-            replace::replace(if has_segments { &files } else { &files[..2] })
+            let Boundary { subsegments, subfacets, .. } = &triangulation.boundary;
+            let has_parts = !(subsegments.is_empty() && subfacets.is_empty());
+            replace::replace(if has_parts { &files } else { &files[..2] })
         }
         _ => replace::replace(&[(path, &|out| content.write_unbuffered(out))]),
     }
@@ -342,6 +365,21 @@ pub fn write_with(
     out: &mut dyn Write,
 ) -> Result<()> {
     Content::of(mesh, attributes, format)?.write(out)
+}
+
+/// Markers of what a mesh was made of.
+#[derive(Clone, Copy)]
+struct Markers<'a> {
+    /// Markers of the segments that the result was made with.
+    segments: &'a [i32],
+    /// Markers of the facets that the result was made with.
+    facets: &'a [i32],
+}
+
+impl<'a> Markers<'a> {
+    fn of(mesh: &'a Mesh) -> Self {
+        Self { segments: mesh.markers_of_result(), facets: &mesh.facets_of_result().markers }
+    }
 }
 
 /// Content of a file: everything that can be refused has been.
@@ -410,19 +448,16 @@ impl<'a> Content<'a> {
     fn write_unbuffered(&self, out: &mut dyn Write) -> std::io::Result<()> {
         match self {
             Self::Vtu(mesh, triangulation, attributes) => {
-                let markers = mesh.markers_of_result();
-                vtu::write(mesh.inputs(), triangulation, markers, attributes, out)
+                vtu::write(mesh.inputs(), triangulation, Markers::of(mesh), attributes, out)
             }
             Self::Tetgen(_, triangulation, attributes) => {
                 tetgen::write_node(triangulation, attributes, out)?;
                 tetgen::write_ele(triangulation, out)
             }
             Self::Gmsh(mesh, triangulation, attributes) => {
-                gmsh::write(triangulation, mesh.markers_of_result(), attributes, out)
+                gmsh::write(triangulation, Markers::of(mesh), attributes, out)
             }
-            Self::Medit(mesh, triangulation) => {
-                medit::write(triangulation, mesh.markers_of_result(), out)
-            }
+            Self::Medit(mesh, triangulation) => medit::write(triangulation, Markers::of(mesh), out),
             Self::Off(triangulation) => off::write(triangulation, out),
             Self::Ply(triangulation, attributes) => ply::write(triangulation, attributes, out),
             Self::Xyz(mesh) => xyz::write(mesh, out),

@@ -70,6 +70,26 @@ pub fn square_with_segments() -> Mesh {
     Mesh::from_parts(square.inputs().clone(), triangulation).with_markers(vec![6, -5])
 }
 
+/// Makes two tetrahedra with facets and segments, and labels: a side of the first has a marker, the
+/// triangle between them another, and a side of the second belongs to no facet.
+pub fn solid_with_facets() -> Mesh {
+    let solid = mesh(3);
+    let mut triangulation = solid.triangulation().unwrap().clone();
+    triangulation.boundary = Boundary {
+        subsegments: vec![[3, 1], [1, 2], [2, 3]],
+        parents: vec![0, NONE, NONE],
+        subfacets: vec![[1, 0, 2], [3, 1, 2], [4, 2, 3]],
+        subfacet_parents: vec![0, 2, NONE],
+        subfacet_simplices: vec![[NONE, 0], [0, 1], [1, NONE]],
+        simplex_regions: vec![7, -8],
+        flat: vec![1],
+        forced: vec![0],
+        ..Boundary::default()
+    };
+    let solid = Mesh::from_parts(solid.inputs().clone(), triangulation);
+    solid.with_markers(vec![6]).with_facet_markers(vec![-5, 0, 9])
+}
+
 /// Makes a mesh of one domain by a run.
 pub fn finished(dim: usize) -> Mesh {
     run(dim, &scattered(dim), &Options { output: Output::WellSpaced, ..Options::default() })

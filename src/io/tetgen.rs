@@ -11,10 +11,23 @@ use std::ffi::OsString;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// Returns the files that there are beside the pair, with segments: `.edge` part, `.poly` part.
-pub(super) fn paths_of_segments(path: &Path) -> (PathBuf, PathBuf) {
-    let (_, ele) = paths(path);
-    (ele.with_extension("edge"), ele.with_extension("poly"))
+/// Files that there are beside the pair, with segments or facets.
+pub(super) struct Parts {
+    /// Edges that segments have become.
+    pub edge: PathBuf,
+    /// The same in the plane, with holes.
+    pub poly: PathBuf,
+    /// Triangles that facets have become.
+    pub face: PathBuf,
+}
+
+impl Parts {
+    /// Returns the files beside the pair that `path` names.
+    pub fn new(path: &Path) -> Self {
+        let (_, ele) = paths(path);
+        let [edge, poly, face] = ["edge", "poly", "face"].map(|part| ele.with_extension(part));
+        Self { edge, poly, face }
+    }
 }
 
 /// Returns the files of the pair that `path` names: `.node` part, `.ele` part.
@@ -226,6 +239,19 @@ pub(super) fn write_edge(
     Ok(())
 }
 
+/// Writes the triangles that facets have become, with the markers of their facets.
+pub(super) fn write_face(
+    triangulation: &Triangulation,
+    markers: &[i32],
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    writeln!(out, "{} 1", triangulation.boundary.subfacets.len())?;
+    for (id, ([a, b, c], marker)) in triangulation.boundary.marked_facets(markers).enumerate() {
+        writeln!(out, "{id} {a} {b} {c} {marker}")?;
+    }
+    Ok(())
+}
+
 /// Writes the edges that segments have become, as segments between the points of the `.node` part,
 /// and the holes.
 pub(super) fn write_poly(
@@ -313,6 +339,24 @@ mod tests {
         let expected =
             format!("2 3 1\n0 0 1 2 7\n1 0 2 3 -8\n{edges}0 2 0 1\n{edges}1\n0 0.5 -0.25\n");
         assert_eq!(String::from_utf8(text).unwrap(), expected);
+    }
+
+    #[test]
+    fn facets_have_a_file_of_their_own() {
+        let directory = std::env::temp_dir().join(format!("netmesh-{}-face", std::process::id()));
+        std::fs::create_dir_all(&directory).unwrap();
+        let mesh = samples::solid_with_facets();
+        super::super::write_file(&mesh, &directory.join("a.ele"), Format::Auto).unwrap();
+        let text = |name: &str| std::fs::read_to_string(directory.join(name)).unwrap();
+        let (face, edge, ele) = (text("a.face"), text("a.edge"), text("a.ele"));
+        let parts = super::super::part_paths(&directory.join("a.node"), Format::Auto, 3).unwrap();
+        let are_there = parts.iter().all(|path| path.exists());
+        let has_poly = directory.join("a.poly").exists();
+        std::fs::remove_dir_all(&directory).unwrap();
+        assert_eq!(face, "3 1\n0 1 0 2 -5\n1 3 1 2 9\n2 4 2 3 0\n");
+        assert_eq!(edge, "3 1\n0 3 1 6\n1 1 2 0\n2 2 3 0\n");
+        assert_eq!(ele, "2 4 1\n0 0 1 2 3 7\n1 1 2 3 4 -8\n");
+        assert!(are_there && parts.len() == 2 && !has_poly);
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use super::PointCloud;
 use super::text::Line;
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::memory::TryGrow;
+use crate::memory::{TryGrow, collected};
 use crate::mesh::{Attribute, Facets, LeftOut, Mesh, Region};
 
 /// Content of a file that was read: points, and values of attributes at them.
@@ -47,8 +47,9 @@ impl Table {
     /// how the attributes go on at other vertices, as in [`Mesh::set_attribute`].
     ///
     /// # Errors
-    /// The errors of [`Mesh::new`], [`Mesh::set_attribute`], [`Mesh::set_segments`] and
-    /// [`Mesh::set_regions`]; those of the last two are [of the content](Error::of_content).
+    /// The errors of [`Mesh::new`], [`Mesh::set_attribute`], [`Mesh::set_segments`],
+    /// [`Mesh::set_facets`], [`Mesh::set_triangles`] and [`Mesh::set_regions`]; those of the last
+    /// four are [of the content](Error::of_content).
     pub fn mesh(&self, is_extended: bool) -> Result<Mesh> {
         let PointCloud { dim, coordinates } = &self.points;
         let mut mesh = Mesh::new(*dim, self.points.count(), coordinates, 0)?;
@@ -56,9 +57,7 @@ impl Table {
             mesh.set_attribute(name, *components, values, is_extended)?;
         }
         let Outline { facets, segments, markers, sides, regions } = &self.outline;
-        if facets.count() > 0 {
-            mesh.replace_facets(facets.clone());
-        }
+        set_facets(&mut mesh, facets).map_err(Error::of_content)?;
         if !segments.is_empty() {
             let set = mesh.set_segments(segments.as_flattened(), Some(markers));
             set.map_err(Error::of_content)?;
@@ -71,6 +70,25 @@ impl Table {
         }
         mesh.set_left_out(self.left_out);
         Ok(mesh)
+    }
+}
+
+/// Sets the facets of a file.
+fn set_facets(mesh: &mut Mesh, facets: &Facets) -> Result<()> {
+    let Facets { loop_starts, input_starts, inputs, markers, are_triangles } = facets;
+    match (facets.count(), are_triangles) {
+        (0, _) => Ok(()),
+        (_, true) => mesh.set_triangles(inputs, Some(markers)),
+        (_, false) => {
+            let [loop_starts, input_starts] =
+                [loop_starts, input_starts].map(|starts| starts.iter().map(|&at| u64::from(at)));
+            mesh.set_facets(
+                &collected(loop_starts)?,
+                &collected(input_starts)?,
+                inputs,
+                Some(markers),
+            )
+        }
     }
 }
 

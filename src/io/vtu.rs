@@ -1,8 +1,8 @@
 //! VTK's XML unstructured grid, with the arrays as appended raw binary: small, and exact.
 
-use super::allocation_failed;
 use super::measures::Measures;
 use super::vtk::{DataArray, Grid, Numbers, Scalar, Section, write_points, write_types};
+use super::{Markers, allocation_failed};
 use crate::arrays::domains::domain_of;
 use crate::memory::{AllocResult, TryGrow, collected, with_capacity};
 use crate::mesh::{Attribute, Inputs, NONE, Triangulation};
@@ -13,7 +13,7 @@ use std::io::{self, Write};
 struct Source<'a> {
     inputs: &'a Inputs,
     mesh: &'a Triangulation,
-    markers: &'a [i32],
+    markers: Markers<'a>,
     measures: Measures,
 }
 
@@ -23,7 +23,7 @@ type WriteNumbers<'a> = fn(&Source<'a>, &mut dyn Write) -> io::Result<()>;
 pub(super) fn write(
     inputs: &Inputs,
     mesh: &Triangulation,
-    markers: &[i32],
+    markers: Markers<'_>,
     attributes: &[Attribute],
     out: &mut dyn Write,
 ) -> io::Result<()> {
@@ -37,7 +37,7 @@ pub(super) fn write(
     let added = collected(attributes.iter().map(array_of)).map_err(allocation_failed)?;
     let grid = Grid {
         points: mesh.vertex_count(),
-        cells: mesh.simplex_count(),
+        cells: cell_count(mesh),
         attributes: |section| if section == Section::Point { r#" Scalars="kind""# } else { "" },
         arrays: [&own, &added],
     };
@@ -89,8 +89,13 @@ fn add_segments<'a>(mesh: &Triangulation, arrays: &mut Vec<Array<'a>>) -> AllocR
     arrays.try_push(of_segments("segment_markers", Scalar::Int32, write_markers))
 }
 
+/// Returns the number of cells: the simplices, and after them the triangles of facets.
+fn cell_count(mesh: &Triangulation) -> usize {
+    mesh.simplex_count() + mesh.boundary.subfacets.len()
+}
+
 fn add_data<'a>(mesh: &Triangulation, arrays: &mut Vec<Array<'a>>) -> AllocResult<()> {
-    let (vertices, cells) = (mesh.vertex_count(), mesh.simplex_count());
+    let (vertices, cells) = (mesh.vertex_count(), cell_count(mesh));
     let of_points = |name, scalar, write: WriteNumbers<'a>| {
         array(Section::Point, name, scalar, vertices, write)
     };
@@ -118,24 +123,47 @@ fn add_data<'a>(mesh: &Triangulation, arrays: &mut Vec<Array<'a>>) -> AllocResul
         }),
         // Not `domain`: viewers list the arrays of points and cells together.
         of_cells("cell_domain", Scalar::UInt32, |source, out| {
-            let mut simplices = source.mesh.simplices.chunks_exact(source.mesh.dim + 1);
-            simplices.try_for_each(|simplex| {
-                out.write_all(&domain_of(source.mesh, simplex).to_le_bytes())
-            })
+            let simplices = source.mesh.simplices.chunks_exact(source.mesh.dim + 1);
+            let triangles = source.mesh.boundary.subfacets.iter().map(<[u32; 3]>::as_slice);
+            simplices
+                .chain(triangles)
+                .try_for_each(|cell| out.write_all(&domain_of(source.mesh, cell).to_le_bytes()))
         }),
         of_cells("radius_edge", Scalar::Float64, |source, out| {
-            source.measures.radius_edge.iter().try_for_each(|x| out.write_all(&x.to_le_bytes()))
+            let triangles = source.mesh.boundary.subfacets.iter().map(|_| &f64::NAN);
+            let mut values = source.measures.radius_edge.iter().chain(triangles);
+            values.try_for_each(|x| out.write_all(&x.to_le_bytes()))
         }),
         of_cells("below_min_dihedral", Scalar::UInt8, |source, out| {
-            write_marks(&source.mesh.below_min_dihedral, source.mesh.simplex_count(), out)
+            write_marks(&source.mesh.below_min_dihedral, cell_count(source.mesh), out)
         }),
     ] {
         arrays.try_push(array)?;
     }
     if !mesh.boundary.simplex_regions.is_empty() {
         arrays.try_push(of_cells("region", Scalar::Int32, |source, out| {
-            let mut labels = source.mesh.boundary.simplex_regions.iter();
+            let triangles = source.mesh.boundary.subfacets.iter().map(|_| &0);
+            let mut labels = source.mesh.boundary.simplex_regions.iter().chain(triangles);
             labels.try_for_each(|label| out.write_all(&label.to_le_bytes()))
+        }))?;
+    }
+    if !mesh.boundary.subfacets.is_empty() {
+        arrays.try_push(of_cells("marker", Scalar::Int32, |source, out| {
+            let simplices = (0..source.mesh.simplex_count()).map(|_| 0);
+            let marked = source.mesh.boundary.marked_facets(source.markers.facets);
+            let mut markers = simplices.chain(marked.map(|(_, marker)| marker));
+            markers.try_for_each(|marker: i32| out.write_all(&marker.to_le_bytes()))
+        }))?;
+        arrays.try_push(of_cells("facet", Scalar::UInt32, |source, out| {
+            let simplices = (0..source.mesh.simplex_count()).map(|_| &NONE);
+            let mut facets = simplices.chain(&source.mesh.boundary.subfacet_parents);
+            facets.try_for_each(|facet| out.write_all(&facet.to_le_bytes()))
+        }))?;
+        arrays.try_push(of_cells("flat", Scalar::UInt8, |source, out| {
+            write_marks(&source.mesh.boundary.flat, cell_count(source.mesh), out)
+        }))?;
+        arrays.try_push(of_cells("forced", Scalar::UInt8, |source, out| {
+            write_marks(&source.mesh.boundary.forced, cell_count(source.mesh), out)
         }))?;
     }
     // What goes beyond a bound is data of that which is bounded.
@@ -146,31 +174,35 @@ fn add_data<'a>(mesh: &Triangulation, arrays: &mut Vec<Array<'a>>) -> AllocResul
     arrays.try_push(array(section, "beyond_bound", Scalar::UInt8, bounded, |source, out| {
         let count = match source.mesh.parameters.criterion {
             Criterion::VoronoiAspect => source.mesh.vertex_count(),
-            Criterion::RadiusEdge => source.mesh.simplex_count(),
+            Criterion::RadiusEdge => cell_count(source.mesh),
         };
         write_marks(&source.mesh.beyond_bound, count, out)
     }))
 }
 
 fn add_cells<'a>(mesh: &Triangulation, arrays: &mut Vec<Array<'a>>) -> AllocResult<()> {
-    let (vertices, cells) = (mesh.vertex_count(), mesh.simplex_count());
+    let (vertices, cells) = (mesh.vertex_count(), cell_count(mesh));
     let points = array(Section::Points, "Points", Scalar::Float64, vertices, |source, out| {
         write_points(&source.mesh.points, source.mesh.dim, out)
     });
     arrays.try_push(DataArray { components: 3, ..points })?;
     let of_cells = |name, scalar, tuples, write| array(Section::Cells, name, scalar, tuples, write);
-    let ends = mesh.simplices.len();
+    let ends = mesh.simplices.len() + 3 * mesh.boundary.subfacets.len();
     arrays.try_push(of_cells("connectivity", Scalar::Int64, ends, |source, out| {
-        let mut ids = source.mesh.simplices.iter();
+        let triangles = source.mesh.boundary.subfacets.as_flattened();
+        let mut ids = source.mesh.simplices.iter().chain(triangles);
         ids.try_for_each(|v| out.write_all(&i64::from(*v).to_le_bytes()))
     }))?;
     arrays.try_push(of_cells("offsets", Scalar::Int64, cells, |source, out| {
-        let size = source.mesh.dim as i64 + 1;
-        (1..=source.mesh.simplex_count() as i64)
-            .try_for_each(|cell| out.write_all(&(cell * size).to_le_bytes()))
+        let (size, simplices) = (source.mesh.dim as i64 + 1, source.mesh.simplex_count() as i64);
+        let triangles = source.mesh.boundary.subfacets.len() as i64;
+        let triangles = (1..=triangles).map(|cell| simplices * size + 3 * cell);
+        let mut offsets = (1..=simplices).map(|cell| cell * size).chain(triangles);
+        offsets.try_for_each(|offset| out.write_all(&offset.to_le_bytes()))
     }))?;
     arrays.try_push(of_cells("types", Scalar::UInt8, cells, |source, out| {
-        write_types(source.mesh.dim, source.mesh.simplex_count(), out)
+        write_types(source.mesh.dim, source.mesh.simplex_count(), out)?;
+        write_types(2, source.mesh.boundary.subfacets.len(), out)
     }))
 }
 
@@ -181,7 +213,7 @@ fn write_segments(source: &Source<'_>, out: &mut dyn Write) -> io::Result<()> {
 }
 
 fn write_markers(source: &Source<'_>, out: &mut dyn Write) -> io::Result<()> {
-    let mut marked = source.mesh.boundary.marked(source.markers);
+    let mut marked = source.mesh.boundary.marked(source.markers.segments);
     marked.try_for_each(|(_, marker)| out.write_all(&marker.to_le_bytes()))
 }
 
@@ -333,6 +365,40 @@ mod tests {
         write(&samples::square(), Format::Vtu, &mut file).unwrap();
         let text = String::from_utf8_lossy(&file);
         assert!(!text.contains("FieldData") && !text.contains("region"));
+    }
+
+    #[test]
+    fn triangles_of_facets_are_cells_after_the_tetrahedra() {
+        let mesh = samples::solid_with_facets();
+        let mut file = Vec::new();
+        write(&mesh, Format::Vtu, &mut file).unwrap();
+        let numbers = |name| {
+            let words = array_of(&file, name).chunks_exact(4);
+            words.map(|b| i32::from_le_bytes(b.try_into().unwrap())).collect::<Vec<_>>()
+        };
+        let ids = [0, 1, 2, 3, 1, 2, 3, 4, 1, 0, 2, 3, 1, 2, 4, 2, 3];
+        assert_eq!(integers(array_of(&file, "connectivity")), ids);
+        assert_eq!(integers(array_of(&file, "offsets")), [4, 8, 11, 14, 17]);
+        assert_eq!(array_of(&file, "types"), [10, 10, 5, 5, 5]);
+        assert_eq!(numbers("CellData/region"), [7, -8, 0, 0, 0]);
+        assert_eq!(numbers("CellData/marker"), [0, 0, -5, 9, 0]);
+        assert_eq!(numbers("CellData/facet"), [-1, -1, 0, 2, -1]);
+        assert_eq!(array_of(&file, "CellData/flat"), [0, 1, 0, 0, 0]);
+        assert_eq!(array_of(&file, "CellData/forced"), [1, 0, 0, 0, 0]);
+        assert_eq!(array_of(&file, "below_min_dihedral"), [1, 0, 0, 0, 0]);
+        assert_eq!(numbers("FieldData/segments"), [3, 1, 1, 2, 2, 3]);
+        assert_eq!(numbers("FieldData/segment_markers"), [6, 0, 0]);
+        let radius_edge = doubles(array_of(&file, "radius_edge"));
+        assert_eq!(radius_edge.len(), 5);
+        assert!(radius_edge[2..].iter().all(|value| value.is_nan()));
+        assert_eq!(numbers("CellData/cell_domain").len(), 5);
+        let text = String::from_utf8_lossy(&file);
+        assert!(text.contains(r#"NumberOfPoints="5" NumberOfCells="5""#));
+        // Without facets there are simplices alone.
+        let mut file = Vec::new();
+        write(&samples::mesh(3), Format::Vtu, &mut file).unwrap();
+        let text = String::from_utf8_lossy(&file);
+        assert!(["\"marker\"", "\"facet\"", "\"flat\""].iter().all(|name| !text.contains(name)));
     }
 
     #[test]

@@ -127,6 +127,11 @@ pub struct Boundary {
     pub whole: Option<Boxed<Triangulation>>,
 }
 
+/// Returns the markers of parents, 0 for [`NONE`](super::NONE).
+fn markers_of<'a>(parents: &'a [u32], markers: &'a [i32]) -> impl Iterator<Item = i32> + 'a {
+    parents.iter().map(|&parent| markers.get(parent as usize).copied().unwrap_or(0))
+}
+
 impl Arrangement {
     /// Counts an input that a segment goes through, given its distance from the straight segment.
     pub(crate) fn note_offset(&mut self, offset: f64) {
@@ -141,9 +146,10 @@ impl Arrangement {
 }
 
 impl Boundary {
-    /// Returns true if there are segments or labels of regions.
+    /// Returns true if there are segments, facets or labels of regions.
     pub(crate) fn has_any(&self) -> bool {
-        !self.subsegments.is_empty() || !self.simplex_regions.is_empty()
+        let has_parts = !self.subsegments.is_empty() || !self.subfacets.is_empty();
+        has_parts || !self.simplex_regions.is_empty()
     }
 
     /// Returns the edges into which segments are split, with the markers of their segments; 0 for
@@ -152,8 +158,16 @@ impl Boundary {
         &'a self,
         markers: &'a [i32],
     ) -> impl Iterator<Item = ([u32; 2], i32)> + 'a {
-        let marker = |&parent: &u32| markers.get(parent as usize).copied().unwrap_or(0);
-        self.subsegments.iter().copied().zip(self.parents.iter().map(marker))
+        self.subsegments.iter().copied().zip(markers_of(&self.parents, markers))
+    }
+
+    /// Returns the triangles into which facets are split, with the markers of their facets; 0 for
+    /// triangles that belong to none.
+    pub(crate) fn marked_facets<'a>(
+        &'a self,
+        markers: &'a [i32],
+    ) -> impl Iterator<Item = ([u32; 3], i32)> + 'a {
+        self.subfacets.iter().copied().zip(markers_of(&self.subfacet_parents, markers))
     }
 
     /// Returns for each subsegment true if it is an edge of one of the given simplices, whose

@@ -9,20 +9,20 @@ pub enum Feature {
     Segment(u32),
 }
 
-/// Kind of an intersection, with C's numbers; 0 is none in C.
+/// Kind of an intersection, with the numbers of C.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(i32)]
 pub enum IntersectionKind {
     /// The interior of one goes through the other.
-    Cross = 1,
+    Cross = 0,
     /// They meet at a point or along a line that is on the boundary of one of them, and neither
     /// goes through the other.
-    Touch = 2,
+    Touch = 1,
     /// They share an area or, of two that meet along a line, a length without sharing it as an edge:
     /// coplanar facets that overlap, collinear segments, duplicates.
-    Overlap = 3,
+    Overlap = 2,
     /// The facet, or a triangle of it, has no area. Both features are the facet.
-    ZeroArea = 4,
+    ZeroArea = 3,
 }
 
 impl IntersectionKind {

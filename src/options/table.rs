@@ -24,7 +24,7 @@ macro_rules! each_option {
                 default: 0.0, group: Quality, on_ranks: true,
                 kind: number("X", &[
                     by_dimension([3.0, 4.0, 5.0, 6.0], [2.2, 2.5, 3.5, 4.5], 100.0),
-                    by_dimension([1.5, 2.0, 2.5, 3.0], [0.9, 1.1, 1.75, 2.25], 50.0),
+                    by_dimension([1.5, 2.0, 2.5, 3.0], [0.9, 1.1, 1.75, 2.25], f64::INFINITY),
                 ]),
                 help: "Largest value of `criterion`: a smaller one makes better cells and more of \
 them.",

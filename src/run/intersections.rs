@@ -1,5 +1,6 @@
 //! Intersections of the facets and segments of a mesh, found without a run.
 
+use crate::arrangement::space::find_intersections;
 use crate::error::{Error, Result, message};
 use crate::mesh::{Intersection, Mesh};
 
@@ -17,7 +18,6 @@ impl Mesh {
             let message = message!("the mesh has dimension {dim}; intersections are for 3D");
             return Err(Error::invalid(message));
         }
-        // TODO(api42): the finder of branch arrange42.
-        Ok(Vec::new())
+        find_intersections(self.inputs(), self.given_facets(), self.segments(), &mut |_| Ok(()))
     }
 }

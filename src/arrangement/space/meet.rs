@@ -275,10 +275,8 @@ fn corner(points: &[[f64; 3]], both: [&[u32]; 2], faces: [Face; 2]) -> [f64; 3] 
         let own = both[which].iter().enumerate();
         own.filter(move |(at, _)| faces[which] >> at & 1 == 1).map(|(_, &vertex)| vertex)
     };
-    for which in 0..2 {
-        if faces[which].count_ones() == 1 {
-            return vertices(which).next().map_or([0.0; 3], |vertex| points[vertex as usize]);
-        }
+    if let Some(which) = faces.iter().position(|face| face.count_ones() == 1) {
+        return vertices(which).next().map_or([0.0; 3], |vertex| points[vertex as usize]);
     }
     let edge = if faces[0].count_ones() == 2 { 0 } else { 1 };
     let mut ends = vertices(edge).map(|vertex| &points[vertex as usize]);

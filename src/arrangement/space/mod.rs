@@ -17,6 +17,8 @@ mod boxes;
 mod closed;
 mod crossed;
 mod faults;
+#[cfg(test)]
+mod file_tests;
 mod intersections;
 mod lines;
 mod meet;

@@ -3,17 +3,17 @@
 
 use super::groups::{Group, Groups};
 use crate::arrays::domains::domain_of;
-use crate::io::allocation_failed;
 use crate::io::attributes::Scalar;
 use crate::io::text::{write_number, write_point};
-use crate::memory::AllocResult;
-use crate::mesh::{Attribute, NONE, Triangulation};
+use crate::io::{Markers, allocation_failed};
+use crate::memory::{AllocResult, with_capacity};
+use crate::mesh::{Attribute, Boundary, NONE, Triangulation};
 use std::io::{self, Write};
 
 /// Writes the section names, entities and the mesh; then the data of nodes and elements.
 pub(in crate::io) fn write(
     triangulation: &Triangulation,
-    markers: &[i32],
+    markers: Markers<'_>,
     attributes: &[Attribute],
     out: &mut dyn Write,
 ) -> io::Result<()> {
@@ -31,81 +31,112 @@ pub(in crate::io) fn write(
     write_data(out, "Element", "domain", elements.count(), elements.domains())
 }
 
-/// Triangles or tetrahedra, by the labels of their regions, and the edges of segments, by the
-/// markers of these. Simplex s is element s + 1; the edges follow.
+/// Simplices by the labels of their regions, and the triangles of facets and edges of segments by
+/// the markers of these. Simplex s is element s + 1; the triangles follow, and then the edges.
 struct Elements<'a> {
     mesh: &'a Triangulation,
     /// True if there are labels or markers at all.
     is_labelled: bool,
-    simplices: Groups,
-    edges: Option<Groups>,
+    /// Elements of one dimension each, from the highest down.
+    families: Vec<Family<'a>>,
 }
 
-impl<'a> Elements<'a> {
-    fn new(mesh: &'a Triangulation, markers: &[i32]) -> AllocResult<Self> {
-        let boundary = &mesh.boundary;
-        let label = |simplex| boundary.simplex_regions.get(simplex).copied().unwrap_or(0);
-        let marker = |edge: usize| markers.get(boundary.parents[edge] as usize).copied();
-        Ok(Self {
-            mesh,
-            is_labelled: boundary.has_any(),
-            simplices: Groups::new(mesh.simplex_count(), label)?,
-            edges: match boundary.subsegments.len() {
-                0 => None,
-                count => Some(Groups::new(count, |edge| marker(edge).unwrap_or(0))?),
-            },
-        })
+/// Elements of one dimension.
+struct Family<'a> {
+    dim: usize,
+    /// Begin of the names of groups.
+    name: &'static str,
+    /// Vertices of the elements, one more than the dimension for each.
+    vertices: &'a [u32],
+    /// Tag of the first element.
+    first: u64,
+    groups: Groups,
+}
+
+impl<'a> Family<'a> {
+    /// Makes a family of elements whose labels are given.
+    fn new(
+        name: &'static str,
+        dim: usize,
+        vertices: &'a [u32],
+        first: u64,
+        label: impl Fn(usize) -> i32,
+    ) -> AllocResult<Self> {
+        let groups = Groups::new(vertices.len() / (dim + 1), label)?;
+        Ok(Self { dim, name, vertices, first, groups })
     }
 
     fn count(&self) -> usize {
-        self.mesh.simplex_count() + self.mesh.boundary.subsegments.len()
+        self.vertices.len() / (self.dim + 1)
     }
 
-    /// Returns the groups of edges.
-    fn curves(&self) -> impl Iterator<Item = (Group, &[u32])> {
-        self.edges.iter().flat_map(Groups::iter)
+    fn vertices_of(&self, element: u32) -> &'a [u32] {
+        &self.vertices[element as usize * (self.dim + 1)..][..self.dim + 1]
     }
 
-    fn vertices_of(&self, simplex: u32) -> &[u32] {
-        let size = self.mesh.dim + 1;
-        &self.mesh.simplices[simplex as usize * size..][..size]
+    fn tag_of(&self, element: u32) -> u64 {
+        self.first + u64::from(element)
+    }
+}
+
+impl<'a> Elements<'a> {
+    fn new(mesh: &'a Triangulation, markers: Markers<'_>) -> AllocResult<Self> {
+        let Boundary { subsegments, parents, subfacets, subfacet_parents, .. } = &mesh.boundary;
+        let label = |simplex| mesh.boundary.simplex_regions.get(simplex).copied().unwrap_or(0);
+        let marker = |markers: &[i32], parent: u32| markers.get(parent as usize).copied();
+        let of_facet = |at: usize| marker(markers.facets, subfacet_parents[at]).unwrap_or(0);
+        let of_segment = |at: usize| marker(markers.segments, parents[at]).unwrap_or(0);
+        // The boundary of what is meshed has markers; in space segments are something else.
+        let name_of_edges = if mesh.dim == 2 { "marker" } else { "segment" };
+        let mut families = with_capacity(3)?;
+        families.push(Family::new("region", mesh.dim, &mesh.simplices, 1, label)?);
+        let mut first = mesh.simplex_count() as u64 + 1;
+        if !subfacets.is_empty() {
+            families.push(Family::new("marker", 2, subfacets.as_flattened(), first, of_facet)?);
+            first += subfacets.len() as u64;
+        }
+        if !subsegments.is_empty() {
+            let ends = subsegments.as_flattened();
+            families.push(Family::new(name_of_edges, 1, ends, first, of_segment)?);
+        }
+        Ok(Self { mesh, is_labelled: mesh.boundary.has_any(), families })
     }
 
-    fn ends_of(&self, edge: u32) -> &[u32] {
-        &self.mesh.boundary.subsegments[edge as usize]
+    fn count(&self) -> usize {
+        self.families.iter().map(Family::count).sum()
     }
 
-    fn tag_of_edge(&self, edge: u32) -> u64 {
-        self.mesh.simplex_count() as u64 + u64::from(edge) + 1
+    /// Returns the groups, family by family, and within each their elements.
+    fn groups(&self) -> impl Iterator<Item = (&Family<'a>, Group, &[u32])> {
+        self.families.iter().flat_map(|family| {
+            family.groups.iter().map(move |(group, elements)| (family, group, elements))
+        })
     }
 
     fn write_names(&self, out: &mut dyn Write) -> io::Result<()> {
-        let dim = self.mesh.dim;
-        let simplices = self.simplices.all();
-        let edges = self.edges.as_ref().map_or(&[][..], Groups::all);
-        writeln!(out, "$PhysicalNames\n{}", simplices.len() + edges.len())?;
-        for Group { label, tag, .. } in edges {
-            writeln!(out, "1 {tag} \"marker_{label}\"")?;
-        }
-        for Group { label, tag, .. } in simplices {
-            match self.is_labelled {
-                true => writeln!(out, "{dim} {tag} \"region_{label}\"")?,
-                false => writeln!(out, "{dim} {tag} \"mesh\"")?,
+        writeln!(out, "$PhysicalNames\n{}", self.groups().count())?;
+        for Family { dim, name, groups, .. } in self.families.iter().rev() {
+            for Group { label, tag, .. } in groups.all() {
+                match self.is_labelled {
+                    true => writeln!(out, "{dim} {tag} \"{name}_{label}\"")?,
+                    false => writeln!(out, "{dim} {tag} \"mesh\"")?,
+                }
             }
         }
         out.write_all(b"$EndPhysicalNames\n")
     }
 
     fn write_entities(&self, out: &mut dyn Write) -> io::Result<()> {
-        let (simplices, curves) = (self.simplices.all().len(), self.curves().count());
-        let [surfaces, volumes] = if self.mesh.dim == 2 { [simplices, 0] } else { [0, simplices] };
-        writeln!(out, "$Entities\n0 {curves} {surfaces} {volumes}")?;
-        for (group, edges) in self.curves() {
-            self.write_entity(group, edges.iter().flat_map(|&edge| self.ends_of(edge)), out)?;
-        }
-        for (group, simplices) in self.simplices.iter() {
-            let vertices = simplices.iter().flat_map(|&simplex| self.vertices_of(simplex));
-            self.write_entity(group, vertices, out)?;
+        let count = |dim| {
+            let family = self.families.iter().find(|family| family.dim == dim);
+            family.map_or(0, |family| family.groups.all().len())
+        };
+        writeln!(out, "$Entities\n0 {} {} {}", count(1), count(2), count(3))?;
+        for family in self.families.iter().rev() {
+            for (group, elements) in family.groups.iter() {
+                let vertices = elements.iter().flat_map(|&element| family.vertices_of(element));
+                self.write_entity(group, vertices, out)?;
+            }
         }
         out.write_all(b"$EndEntities\n")
     }
@@ -136,7 +167,7 @@ impl<'a> Elements<'a> {
     /// nothing here.
     fn write_nodes(&self, out: &mut dyn Write) -> io::Result<()> {
         let (dim, nodes) = (self.mesh.dim, self.mesh.vertex_count());
-        let entity = self.simplices.all().first().map_or(1, |group| group.tag);
+        let entity = self.groups().next().map_or(1, |(_, group, _)| group.tag);
         write!(out, "$Nodes\n1 {nodes} 1 {nodes}\n{dim} {entity} 0 {nodes}\n")?;
         (1..=nodes).try_for_each(|tag| writeln!(out, "{tag}"))?;
         for point in self.mesh.points.chunks_exact(dim) {
@@ -147,20 +178,13 @@ impl<'a> Elements<'a> {
     }
 
     fn write_elements(&self, out: &mut dyn Write) -> io::Result<()> {
-        let (dim, count) = (self.mesh.dim, self.count());
-        let blocks = self.simplices.all().len() + self.curves().count();
+        let (blocks, count) = (self.groups().count(), self.count());
         write!(out, "$Elements\n{blocks} {count} 1 {count}\n")?;
-        let kind = if dim == 2 { TRIANGLE } else { TETRAHEDRON };
-        for (Group { tag, .. }, simplices) in self.simplices.iter() {
-            writeln!(out, "{dim} {tag} {kind} {}", simplices.len())?;
-            for &simplex in simplices {
-                write_element(out, u64::from(simplex) + 1, self.vertices_of(simplex))?;
-            }
-        }
-        for (Group { tag, .. }, edges) in self.curves() {
-            writeln!(out, "1 {tag} {LINE} {}", edges.len())?;
-            for &edge in edges {
-                write_element(out, self.tag_of_edge(edge), self.ends_of(edge))?;
+        for (family, Group { tag, .. }, elements) in self.groups() {
+            let (dim, kind) = (family.dim, TYPES[family.dim - 1]);
+            writeln!(out, "{dim} {tag} {kind} {}", elements.len())?;
+            for &element in elements {
+                write_element(out, family.tag_of(element), family.vertices_of(element))?;
             }
         }
         out.write_all(b"$EndElements\n")
@@ -169,20 +193,18 @@ impl<'a> Elements<'a> {
     /// Returns each element with its domain, 0 where there is none, in the order of the file:
     /// programs beside Gmsh take the values one after the other.
     fn domains(&self) -> impl Iterator<Item = (u64, u32)> {
-        let simplices = self.simplices.iter().flat_map(|(_, simplices)| simplices);
-        let simplices = simplices.map(|&s| (u64::from(s) + 1, self.vertices_of(s)));
-        let edges = self.curves().flat_map(|(_, edges)| edges);
-        let edges = edges.map(|&edge| (self.tag_of_edge(edge), self.ends_of(edge)));
-        simplices.chain(edges).map(|(tag, vertices)| match domain_of(self.mesh, vertices) {
+        let elements = self.groups().flat_map(|(family, _, elements)| {
+            elements.iter().map(|&at| (family.tag_of(at), family.vertices_of(at)))
+        });
+        elements.map(|(tag, vertices)| match domain_of(self.mesh, vertices) {
             NONE => (tag, 0),
             domain => (tag, domain),
         })
     }
 }
 
-const LINE: u8 = 1;
-const TRIANGLE: u8 = 2;
-const TETRAHEDRON: u8 = 4;
+/// Gmsh's numbers for lines, triangles and tetrahedra.
+const TYPES: [u8; 3] = [1, 2, 4];
 
 fn write_element(out: &mut dyn Write, tag: u64, vertices: &[u32]) -> io::Result<()> {
     write!(out, "{tag}")?;
@@ -267,5 +289,24 @@ mod tests {
              $ElementData\n1\n\"domain\"\n1\n0\n3\n0\n1\n4\n2 0\n1 0\n3 0\n4 0\n$EndElementData\n"
         );
         assert_eq!(String::from_utf8(text).unwrap(), expected);
+    }
+
+    #[test]
+    fn facets_are_surfaces_and_regions_volumes() {
+        let mut text = Vec::new();
+        write(&samples::solid_with_facets(), Format::Gmsh, &mut text).unwrap();
+        let text = String::from_utf8(text).unwrap();
+        let names = "$PhysicalNames\n7\n1 1 \"segment_0\"\n1 6 \"segment_6\"\n\
+                     2 1 \"marker_-5\"\n2 2 \"marker_0\"\n2 9 \"marker_9\"\n\
+                     3 1 \"region_-8\"\n3 7 \"region_7\"\n$EndPhysicalNames\n\
+                     $Entities\n0 2 3 2\n";
+        assert!(text.contains(names), "{text}");
+        let elements = "$Elements\n7 8 1 8\n3 1 4 1\n2 2 3 4 5\n3 7 4 1\n1 1 2 3 4\n\
+                        2 1 2 1\n3 2 1 3\n2 2 2 1\n5 5 3 4\n2 9 2 1\n4 4 2 3\n\
+                        1 1 1 2\n7 2 3\n8 3 4\n1 6 1 1\n6 4 2\n$EndElements\n";
+        assert!(text.contains(elements), "{text}");
+        let domains = text.split("\"domain\"").nth(1).unwrap();
+        let tags = domains.lines().skip(7).take(8).map(|line| line.split_once(' ').unwrap().0);
+        assert_eq!(tags.collect::<Vec<_>>(), ["2", "1", "3", "5", "4", "7", "8", "6"]);
     }
 }

@@ -1,4 +1,4 @@
-//! Labels of regions and markers of segments.
+//! Labels of regions, markers of facets and of segments.
 
 use super::{as_read_by, python_has};
 use crate::io::samples;
@@ -33,17 +33,27 @@ fn expected(mesh: &Mesh) -> String {
         vertices.chain([i64::from(label)]).collect::<Vec<i64>>()
     };
     let labels = &triangulation.boundary.simplex_regions;
-    let simplices = triangulation.simplices.chunks_exact(3).zip(labels);
-    let mut triangles: Vec<_> = simplices.map(|(ids, label)| row(ids, *label)).collect();
+    let simplices = triangulation.simplices.chunks_exact(triangulation.dim + 1).zip(labels);
+    let mut simplices: Vec<_> = simplices.map(|(ids, label)| row(ids, *label)).collect();
+    simplices.sort();
+    let marked = triangulation.boundary.marked_facets(&mesh.facets_of_result().markers);
+    let mut triangles: Vec<_> = marked.map(|(ids, marker)| row(&ids, marker)).collect();
     triangles.sort();
     let marked = triangulation.boundary.marked(mesh.markers_of_result());
     let mut edges: Vec<_> = marked.map(|(ends, marker)| row(&ends, marker)).collect();
     edges.sort();
-    format!("{triangles:?}\n{edges:?}\n")
+    match triangulation.dim {
+        2 => format!("{simplices:?}\n{edges:?}\n"),
+        _ => format!("{simplices:?}\n{triangles:?}\n{edges:?}\n"),
+    }
 }
 
 fn assert_reads(script: &str, reader: &str, extension: &str) {
-    for (which, mesh) in [("square", samples::square_with_segments()), ("strips", strips())] {
+    for (which, mesh) in [
+        ("square", samples::square_with_segments()),
+        ("solid", samples::solid_with_facets()),
+        ("strips", strips()),
+    ] {
         let name = format!("{reader}-labels-{which}.{extension}");
         assert_eq!(as_read_by(script, &mesh, &name, &[]), expected(&mesh), "{name}");
     }

@@ -1,5 +1,5 @@
-"""Prints the triangles with their labels, then the edges of segments with their markers, each as [vertices,
-label], in order. Arguments: the path."""
+"""Prints the simplices with their labels, in space the triangles of facets with their markers, then the edges of
+segments with theirs, each as [vertices, label], in order. Arguments: the path."""
 import contextlib
 import sys
 
@@ -8,7 +8,9 @@ with contextlib.redirect_stdout(sys.stderr):
     import numpy
 
     mesh = meshio.read(sys.argv[1])
-ROWS = {"triangle": [], "line": []}
+kinds = {block.type for block in mesh.cells}
+ROWS = {kind: [] for kind in ("tetra", "triangle", "line") if kind != "tetra" or kind in kinds}
+NAMES = ("marker_", "region_", "segment_") if "tetra" in kinds else ("marker_", "region_")
 
 
 def add(kind, cells, labels):
@@ -19,9 +21,9 @@ def add(kind, cells, labels):
 
 if sys.argv[1].endswith(".msh"):
     names = {(dim, tag): int(name.split("_")[1]) for name, (tag, dim) in mesh.field_data.items()}
-    assert all(name.startswith(("marker_", "region_")) for name in mesh.field_data)
+    assert all(name.startswith(NAMES) for name in mesh.field_data)
     for at, block in enumerate(mesh.cells):
-        dim = 1 if block.type == "line" else 2
+        dim = ["line", "triangle", "tetra"].index(block.type) + 1
         groups = mesh.cell_data["gmsh:physical"][at]
         add(block.type, block.data, [names[dim, group] for group in groups])
         assert len(mesh.cell_data["domain"][at]) == len(block.data)
@@ -29,8 +31,11 @@ elif sys.argv[1].endswith(".mesh"):
     for block, labels in zip(mesh.cells, mesh.cell_data["medit:ref"]):
         add(block.type, block.data, labels)
 else:
-    assert [block.type for block in mesh.cells] == ["triangle"]
-    add("triangle", mesh.cells[0].data, mesh.cell_data["region"][0])
+    assert [block.type for block in mesh.cells] == list(ROWS)[:-1]
+    add(mesh.cells[0].type, mesh.cells[0].data, mesh.cell_data["region"][0])
+    if "tetra" in kinds:
+        add("triangle", mesh.cells[1].data, mesh.cell_data["marker"][1])
+        assert not mesh.cell_data["marker"][0].any() and not mesh.cell_data["region"][1].any()
     add("line", mesh.field_data["segments"].reshape(-1, 2), mesh.field_data["segment_markers"])
-print(sorted(ROWS["triangle"]))
-print(sorted(ROWS["line"]))
+for rows in ROWS.values():
+    print(sorted(rows))

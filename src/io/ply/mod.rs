@@ -196,7 +196,7 @@ mod tests {
                 put(&y.to_le_bytes());
             }
             put(&[3]);
-            (0..3i32).for_each(|id| put(&id.to_le_bytes()));
+            [0i32, 1, 0].iter().for_each(|id| put(&id.to_le_bytes()));
             rows
         };
         let expected = [0.1, -5.0, f64::from(0.1f32), f64::MAX, 32767.0, -0.0];
@@ -279,7 +279,7 @@ mod tests {
     fn what_is_wrong_with_a_face_is_named() {
         let orders = ["ascii", "binary_little_endian", "binary_big_endian"];
         let outside = [
-            "line 11, column 5: vertex id 4 of 4 vertices",
+            "line 12, column 5: vertex id 4 of 4 vertices",
             "byte 25 after the header: vertex id 4 of 4 vertices",
             "byte 25 after the header: vertex id 4 of 4 vertices",
         ];
@@ -295,7 +295,7 @@ mod tests {
         let half = message(&tetrahedron(orders[2], "float", &[&[2, 4, 3]]));
         assert_eq!(half, "byte 11 after the header: vertex id 1.5 of 4 vertices");
         let negative = message(&tetrahedron(orders[0], "int", &[&[0, -1, 2]]));
-        assert_eq!(negative, "line 10, column 4: \"-1\" is no vertex id");
+        assert_eq!(negative, "line 11, column 4: \"-1\" is no vertex id");
         let mut short = tetrahedron(orders[1], "int", &[&[0, 1, 2]]);
         short.truncate(short.len() - 4 * 12 - 2);
         assert!(message(&short).ends_with("0 of 1 elements \"face\""), "{}", message(&short));

@@ -36,9 +36,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let Some(state) = self.state.in_space() else { return Ok(false) };
         let Some(subfacet) = state.next_missing()? else { return Ok(false) };
         let split = state.split_for(subfacet)?;
-        if !self.split_boundary(split, cavity)? {
-            if let Some(state) = self.state.in_space() {
-                state.limit_subfacet(subfacet);
+        let is_split = self.split_boundary(split, cavity)?;
+        if let Some(state) = self.state.in_space() {
+            match is_split {
+                // What was split may have been something in its way.
+                true => state.queue_subfacet(subfacet)?,
+                false => state.limit_subfacet(subfacet),
             }
         }
         Ok(true)

@@ -5,9 +5,8 @@ use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, filled, with_capacity};
 use crate::mesh::{Arrangement, Subsegment};
-use crate::netmesh::state::segments::Segments;
+use crate::netmesh::state::Mesher;
 use crate::netmesh::state::segments::chain::{Chains, Line};
-use crate::netmesh::state::{Mesher, State};
 
 impl Mesher<'_, '_, 2> {
     /// Inserts the inputs, makes all segments chains of edges, and finds the regions between them.

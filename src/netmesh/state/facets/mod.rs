@@ -10,7 +10,7 @@ pub(in crate::netmesh) mod plane;
 pub(in crate::netmesh) mod sheet;
 
 use crate::complex::{SimplexId, VertexId};
-use crate::memory::{AllocResult, Array, TryGrow, collected, filled};
+use crate::memory::{AllocResult, Array, Lists, TryGrow, collected, filled};
 use crate::mesh::NONE;
 use crate::netmesh::state::facets::faces::Faces;
 use crate::netmesh::state::facets::plane::Plane;
@@ -65,7 +65,6 @@ pub(in crate::netmesh) struct Facet {
 /// Part of a facet between subsegments: it has one region on either side.
 #[derive(Clone, Copy)]
 pub(in crate::netmesh) struct Wall {
-    pub facet: u32,
     /// Number by which the winding number behind it is larger than that before it.
     pub balance: i64,
 }
@@ -198,7 +197,7 @@ impl Facets {
                 continue;
             }
             let wall = self.walls.len() as u32;
-            self.walls.try_push(Wall { facet, balance: balances[facet as usize] })?;
+            self.walls.try_push(Wall { balance: balances[facet as usize] })?;
             self.subfacets[first as usize].wall = wall;
             reached.try_push(first)?;
             while let Some(subfacet) = reached.pop() {
@@ -299,6 +298,12 @@ impl Facets {
                 *kept = false;
             }
         }
+    }
+
+    /// Returns the facets of which each vertex is one, some of them several times.
+    pub fn at_vertices(&self, count: usize) -> AllocResult<Lists> {
+        let of = |own: &Subfacet| own.vertices.map(|vertex| (vertex.number(), own.facet));
+        Lists::of_pairs(count, || self.subfacets.iter().flat_map(of))
     }
 
     /// Returns the number of subfacets that wait for a look.

@@ -3,7 +3,7 @@
 //! belonged to, for the cavity of a point that crosses no wall is on one side of all of them. Where a
 //! point crossed some, what is on either side of a wall tells, once they are recovered again.
 
-use crate::complex::{Complex, SimplexId, VertexId};
+use crate::complex::{Complex, SimplexId};
 use crate::delaunay::{Cavity, Delaunay};
 use crate::memory::{AllocResult, Array, TryGrow};
 use crate::netmesh::state::segments::walls::Walls;

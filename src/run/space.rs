@@ -1,0 +1,69 @@
+//! What a run in space must conform to.
+
+use super::without_interior;
+use crate::arrangement::Poll;
+use crate::arrangement::space::{
+    TaskInSpace, arrange_in_space, check_closed_in_space, encloses_in_space,
+};
+use crate::error::{Choice, Error, Result, say};
+use crate::mesh::{Arrangement, Mesh};
+use crate::options::{Extent, Interior, Options};
+
+impl Mesh {
+    /// Returns true if the mesh has facets or segments in space.
+    pub(super) fn conforms_in_space(&self) -> bool {
+        self.inputs().dim() == 3 && self.given_facets().count() + self.segments().count() > 0
+    }
+
+    /// Returns the options with the extent that [`Extent::Auto`] stands for, and the arrangement of
+    /// the facets and segments in space.
+    pub(super) fn arrangement_in_space(
+        &self,
+        options: &Options,
+        poll: Poll<'_>,
+    ) -> Result<(Options, Option<Arrangement>)> {
+        let Options { extent, interior, coplanar, .. } = *options;
+        self.check_extent_in_space(extent, interior)?;
+        let (inputs, facets, segments) = (self.inputs(), self.given_facets(), self.segments());
+        let regions = self.regions();
+        let task = TaskInSpace { inputs, facets, segments, regions, coplanar };
+        let arrangement = arrange_in_space(&task, poll)?;
+        let options = match extent {
+            Extent::Auto if encloses_in_space(inputs, &arrangement, interior)? => {
+                Options { extent: Extent::Boundary, ..options.clone() }
+            }
+            Extent::Auto => without_interior(options.clone()),
+            _ => options.clone(),
+        };
+        if options.extent == Extent::Boundary {
+            check_closed_in_space(inputs, &arrangement, interior)?;
+        }
+        Ok((options, Some(arrangement)))
+    }
+
+    fn check_extent_in_space(&self, extent: Extent, interior: Interior) -> Result<()> {
+        let has_rule = !matches!(interior, Interior::Auto | Interior::Seeds);
+        match extent {
+            Extent::Hull | Extent::Box => {
+                let name = Choice::Extent(extent);
+                Err(Error::invalid(say!(name, " is for 2D; the mesh has dimension 3")))
+            }
+            Extent::Boundary if self.given_facets().count() == 0 => {
+                let name = Choice::Extent(extent);
+                Err(Error::invalid(say!(name, " needs facets; the mesh has none")))
+            }
+            Extent::Auto if has_rule && self.given_facets().count() == 0 => {
+                let rule = Choice::Interior(interior);
+                Err(Error::invalid(say!(rule, " needs facets; the mesh has none")))
+            }
+            Extent::All if has_rule => Err(Error::invalid(say!(
+                Choice::Interior(interior),
+                " does not go with ",
+                Choice::Extent(extent),
+                ", but with ",
+                Choice::Extent(Extent::Boundary)
+            ))),
+            _ => Ok(()),
+        }
+    }
+}

@@ -129,6 +129,12 @@ fn domains_that_are_no_part_of_the_whole() {
         let first = solid.report(3).first.unwrap();
         assert_eq!(first.kind, Kind::DomainArrays, "{number}");
     }
+    // Where the whole has no boundary the domain has none.
+    let mut bare = boxes();
+    let ends = bare.case.mesh.boundary.subsegments[0];
+    bare.corrupt(|mesh| mesh.boundary = Default::default());
+    bare.case.mesh.boundary.subsegments = vec![ends];
+    bare.assert_violates(Kind::DomainArrays);
     // What is outside may not be there.
     let mut solid = boxes();
     let whole = solid.whole().boundary.clone();

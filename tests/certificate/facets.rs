@@ -338,3 +338,20 @@ fn facets_of_which_nothing_is_known_end_at_subsegments() {
     fewer.corrupt(|mesh| remove_subsegment(mesh, 4));
     assert_eq!(report(&fewer).first.unwrap().kind, Kind::FacetTiling);
 }
+
+#[test]
+fn facets_that_cannot_be() {
+    for solid in [cube(), triangulated_cube()] {
+        let mut unknown = solid.clone();
+        unknown.facets.inputs[1] = 99;
+        unknown.assert_violates(Kind::FacetGroup);
+        // All of its corners are one input.
+        let mut flat = solid.clone();
+        let corners = if solid.facets.are_triangles { 0..3 } else { 0..4 };
+        flat.facets.inputs[corners].fill(0);
+        assert!(flat.report(2).violations > 0);
+    }
+    let mut flat = cube();
+    flat.facets.inputs[..4].fill(0);
+    flat.assert_violates(Kind::FacetGroup);
+}

@@ -325,6 +325,20 @@ fn triangles_that_are_no_facet() {
     turned.assert_violates(Kind::FacetGroup);
 }
 
+/// Holds that a segment's own chain is refused where it is far from the segment.
+#[test]
+fn a_chain_that_leads_away_from_its_segment() {
+    let points = grid([6, 5, 5]);
+    let mut solid = boxes();
+    let [corner, end] = [[4.0, 2.0, 3.0], [4.0, 2.0, 2.0]].map(|point| at(&points, point));
+    solid.segments.inputs[0][1] = end;
+    solid.corrupt(|mesh| {
+        mesh.boundary.subsegments.insert(2, [corner, end]);
+        mesh.boundary.parents.insert(2, 0);
+    });
+    solid.assert_violates(Kind::SegmentLine);
+}
+
 /// Holds that less is asked without the caller's facets, but that facets end at subsegments is.
 #[test]
 fn facets_of_which_nothing_is_known_end_at_subsegments() {

@@ -123,3 +123,17 @@ fn rims_have_the_facet_on_their_left() {
     assert_eq!(slit.within, [[0, 5]]);
     assert!(facet(&[&[0, 1, 2]]).is_none());
 }
+
+#[test]
+fn edges_have_a_triangle_on_each_side() {
+    let check = |triangles: &[[u32; 3]]| {
+        let mut findings = Findings::default();
+        let edges = tiling::sorted_edges(triangles).unwrap();
+        let rim = tiling::rim(0, &edges, &mut findings).unwrap();
+        (rim.len(), findings.first.map(|first| first.kind))
+    };
+    assert_eq!(check(&[[0, 1, 2], [2, 1, 3]]), (4, None));
+    assert_eq!(check(&[[0, 1, 2], [1, 2, 3]]), (4, Some(ViolationKind::FacetTiling)));
+    let three = [[0, 1, 2], [2, 1, 3], [2, 1, 4]];
+    assert_eq!(check(&three), (6, Some(ViolationKind::FacetTiling)));
+}

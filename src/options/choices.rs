@@ -3,6 +3,7 @@
 //! constants there.
 
 use super::table::{OptionValue, Value, Word};
+use crate::error::Name;
 
 /// Kind of mesh that a run leaves behind.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -200,6 +201,10 @@ macro_rules! choices {
                 fn from_value(value: Value) -> Option<Self> {
                     let Value::Word(number) = value else { return None };
                     Self::VALUES.get(number).copied()
+                }
+
+                fn called(self, _: Name) -> Name {
+                    Choice::$type(self).into()
                 }
             }
         )*

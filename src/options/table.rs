@@ -6,6 +6,7 @@ use super::Options;
 use super::choices::{
     Algorithm, Choices, Criterion, Crossings, Extent, GivesWay, Interior, NetOrdering, Output,
 };
+use crate::error::Name;
 
 /// Calls the macro `$then` with the rows of the table, in the order of `nm_options`.
 ///
@@ -193,6 +194,7 @@ pub struct Row {
     /// Sentences that explain the option, with names of options between backticks.
     pub help: &'static str,
     pub(super) get: fn(&Options) -> Value,
+    pub(super) called: fn(&Options) -> Name,
     pub(super) set: fn(&mut Options, Value) -> bool,
 }
 
@@ -284,6 +286,12 @@ pub(crate) trait OptionValue: Sized {
 
     /// Returns the value of a field; `None` if it is of another type or out of the type's range.
     fn from_value(value: Value) -> Option<Self>;
+
+    /// Returns the name of an option with this value in messages, where `option` is the option's
+    /// own.
+    fn called(self, option: Name) -> Name {
+        option
+    }
 }
 
 macro_rules! option_values {
@@ -332,6 +340,7 @@ macro_rules! declare_table {
             on_ranks: $on_ranks,
             help: $help,
             get: |options| options.$field.to_value(),
+            called: |options| options.$field.called(Name::$name),
             set: |options, value| {
                 OptionValue::from_value(value).map(|value| options.$field = value).is_some()
             },
@@ -349,6 +358,11 @@ impl Row {
     /// Returns the option's value among `options`.
     pub fn get(&self, options: &Options) -> Value {
         (self.get)(options)
+    }
+
+    /// Returns the option's name in messages: with its value, where that has a word.
+    pub fn called(&self, options: &Options) -> Name {
+        (self.called)(options)
     }
 
     /// Gives the option a value among `options`.

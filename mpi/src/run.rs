@@ -91,7 +91,7 @@ fn refusal(row: &Row, asked: &Options) -> Message {
         Value::Number(value) => format!(" is {value}; it must be 0 for meshes of several ranks"),
         _ => " is not for meshes of several ranks".to_owned(),
     };
-    Message::about(row.called(asked), rest)
+    Message::about(Name::of(row, asked), rest)
 }
 
 /// Collective. Returns the bytes that all ranks have sent, and the most of one.

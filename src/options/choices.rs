@@ -3,7 +3,6 @@
 //! constants there.
 
 use super::table::{OptionValue, Value, Word};
-use crate::error::Name;
 
 /// Kind of mesh that a run leaves behind.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -203,8 +202,8 @@ macro_rules! choices {
                     Self::VALUES.get(number).copied()
                 }
 
-                fn called(self, _: Name) -> Name {
-                    Choice::$type(self).into()
+                fn choice(self) -> Option<Choice> {
+                    Some(Choice::$type(self))
                 }
             }
         )*

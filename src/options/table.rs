@@ -4,9 +4,9 @@
 
 use super::Options;
 use super::choices::{
-    Algorithm, Choices, Criterion, Crossings, Extent, GivesWay, Interior, NetOrdering, Output,
+    Algorithm, Choice, Choices, Criterion, Crossings, Extent, GivesWay, Interior, NetOrdering,
+    Output,
 };
-use crate::error::Name;
 
 /// Calls the macro `$then` with the rows of the table, in the order of `nm_options`.
 ///
@@ -194,7 +194,7 @@ pub struct Row {
     /// Sentences that explain the option, with names of options between backticks.
     pub help: &'static str,
     pub(super) get: fn(&Options) -> Value,
-    pub(super) called: fn(&Options) -> Name,
+    pub(super) choice: fn(&Options) -> Option<Choice>,
     pub(super) set: fn(&mut Options, Value) -> bool,
 }
 
@@ -287,10 +287,9 @@ pub(crate) trait OptionValue: Sized {
     /// Returns the value of a field; `None` if it is of another type or out of the type's range.
     fn from_value(value: Value) -> Option<Self>;
 
-    /// Returns the name of an option with this value in messages, where `option` is the option's
-    /// own.
-    fn called(self, option: Name) -> Name {
-        option
+    /// Returns the option with this value, if it has words for its values.
+    fn choice(self) -> Option<Choice> {
+        None
     }
 }
 
@@ -340,7 +339,7 @@ macro_rules! declare_table {
             on_ranks: $on_ranks,
             help: $help,
             get: |options| options.$field.to_value(),
-            called: |options| options.$field.called(Name::$name),
+            choice: |options| options.$field.choice(),
             set: |options, value| {
                 OptionValue::from_value(value).map(|value| options.$field = value).is_some()
             },
@@ -360,9 +359,9 @@ impl Row {
         (self.get)(options)
     }
 
-    /// Returns the option's name in messages: with its value, where that has a word.
-    pub fn called(&self, options: &Options) -> Name {
-        (self.called)(options)
+    /// Returns the option with its value among `options`, if it has words for its values.
+    pub fn choice(&self, options: &Options) -> Option<Choice> {
+        (self.choice)(options)
     }
 
     /// Gives the option a value among `options`.

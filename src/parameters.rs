@@ -123,8 +123,8 @@ fn default_of(dim: usize, name: Name, options: &Options, range: &Bounds) -> f64 
     }
 }
 
-/// Returns the options of a mesh with segments. There the bound is on angles: the cell of a vertex on a
-/// boundary reaches beyond that.
+/// Returns the options of a mesh with segments. There the bound is on angles: the cell of a vertex
+/// on a boundary reaches beyond that.
 ///
 /// # Errors
 /// `InvalidArgument`, naming the option, its value and the rule.

@@ -540,7 +540,7 @@ fn a_simplex_that_nothing_forces() {
     let mut domain = lake();
     domain.corrupt(|whole| whole.boundary.forced = vec![5]);
     domain.assert_violates(Kind::ForcedSimplex);
-    // Those that would be forced if they were beyond the bound.
+    // Subsegments that would be forced if they were beyond the bound.
     let mut domain = star();
     domain.corrupt(|whole| whole.parameters.quality_bound = 1e9);
     domain.assert_violates(Kind::ForcedSimplex);

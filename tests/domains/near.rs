@@ -205,7 +205,8 @@ fn sides_that_end_beyond_each_other_have_a_mesh() {
     check(&points, &segments, &[Extent::All, Extent::Hull, Extent::Boundary]);
 }
 
-/// A mesh between two lines a few units apart would have as many vertices as the gap fits into them.
+/// A mesh between two lines a few units apart would have as many vertices as the gap fits into
+/// them.
 #[test]
 fn lines_that_run_along_each_other_share_vertices() {
     for units in 1..16 {

@@ -1,4 +1,4 @@
-//! What the fuzz targets have found, each as a test of its own. The inputs are in the corpus too.
+//! Findings of the fuzz targets, each as a test of its own. The inputs are in the corpus too.
 
 use netmesh::validate::{validate, validate_mesh};
 use netmesh::{ErrorKind, Extent, Mesh, Options, Output};
@@ -49,7 +49,7 @@ fn a_cage_beyond_the_limit_is_not_made() {
     assert!(begun.elapsed() < Duration::from_secs(20), "{:?}", begun.elapsed());
 }
 
-/// Where one coordinate of a segment's ends was 2^900 times as large as the other's, vertices between
+/// One coordinate of a segment's ends was 2^900 times as large as the other's, and vertices between
 /// them were a unit in the last place off.
 #[test]
 fn segments_between_points_of_any_magnitude() {
@@ -67,8 +67,8 @@ fn segments_between_points_of_any_magnitude() {
     assert_eq!((report.level, report.violations), (3, 0), "{:?}", report.first);
 }
 
-/// Sharp corners put vertices where one coordinate is half a unit in the last place from an end's, but
-/// for 2^-54 of that. Sums in which that was lost took the tie to the other double.
+/// Sharp corners put vertices where one coordinate is half a unit in the last place from an end's,
+/// but for 2^-54 of that. Sums in which that was lost took the tie to the other double.
 #[test]
 fn vertices_that_nearly_are_half_a_unit_from_an_end() {
     let points =

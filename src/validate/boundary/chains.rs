@@ -140,8 +140,8 @@ impl<'a, const D: usize> Chains<'a, D> {
             == Some(Ordering::Less)
     }
 
-    /// Returns true if an edge leads along a segment as its chain may: both ends are near it, and in
-    /// its order from its first end to its second.
+    /// Returns true if an edge leads along a segment as its chain may: both ends are near it, and
+    /// in its order from its first end to its second.
     pub fn leads_along(&self, way: Way, edge: [u32; 2]) -> AllocResult<bool> {
         let [from, to] = way.ends;
         if from == to || from.max(to) as usize >= self.view.vertex_count() {

@@ -149,8 +149,8 @@ fn loops_that_meet_are_refused() {
     assert_eq!(vertex.intersections()[0].point, [2.0, 0.0, 1.0]);
     // A vertex beyond edges that are crossed first, in both directions of an axis.
     let inner = with(&[[1.5, 2.5, 1.0], [2.0, 2.0, 1.0], [2.5, 1.5, 1.0], [1.0, 0.5, 1.0]]);
-    let images: [fn(&[f64; 3]) -> [f64; 3]; 3] =
-        [|x| *x, |x| [x[1], x[0], x[2]], |x| [-x[0], x[1], x[2]]];
+    type Map = fn(&[f64; 3]) -> [f64; 3];
+    let images: [Map; 3] = [|x| *x, |x| [x[1], x[0], x[2]], |x| [-x[0], x[1], x[2]]];
     for image in images {
         let points: Vec<[f64; 3]> = inner.iter().map(image).collect();
         let plate = vec![vec![0, 1, 2, 3], vec![0, 2], vec![4], vec![5], vec![6], vec![7]];

@@ -6,5 +6,3 @@
 
 pub(super) mod conform;
 pub(super) mod sharp;
-#[cfg(test)]
-mod tests;

@@ -2,9 +2,9 @@
 //! segments overlap, the subsegments are the first one's, and those of the others lead from one end
 //! of that part to the other.
 
+use super::anchors::Anchors;
 use super::edges::Edges;
 use super::exact::{Point, meets, unit_in_last_place};
-use super::lines::is_anchor;
 use crate::error::message;
 use crate::memory::{AllocResult, TryGrow, filled};
 use crate::mesh::{Inputs, NONE, Segments};
@@ -20,7 +20,7 @@ const BENT: f64 = 16.0;
 pub(super) struct Chains<'a> {
     view: View<'a, 2>,
     edges: &'a Edges,
-    inputs: usize,
+    anchors: Anchors<'a>,
     /// Vertex -> from where the search of a way has come to it, and in which search.
     reached: Vec<(u32, u32)>,
     searches: u32,
@@ -78,7 +78,8 @@ impl<'a> Chains<'a> {
     pub fn new(inputs: usize, view: View<'a, 2>, edges: &'a Edges) -> AllocResult<Self> {
         let reached = filled(view.vertex_count(), (NONE, NONE))?;
         let (path, waiting) = Default::default();
-        Ok(Self { view, edges, inputs, reached, searches: 0, path, waiting })
+        let anchors = Anchors::new(view, inputs, edges);
+        Ok(Self { view, edges, anchors, reached, searches: 0, path, waiting })
     }
 
     /// Returns the vertices of the way that was found last, from end to end.
@@ -232,9 +233,7 @@ impl<'a> Chains<'a> {
     /// lines.
     fn check_anchors(&self, way: Way, findings: &mut Findings) -> AllocResult<()> {
         let between = &self.path[1..self.path.len() - 1];
-        let is_anchor =
-            |&&vertex: &&u32| is_anchor(self.view.mesh, self.inputs, self.edges, vertex);
-        for &vertex in between.iter().filter(is_anchor) {
+        for &vertex in between.iter().filter(|&&vertex| self.anchors.holds(vertex)) {
             let is_near = self.is_near(way, vertex, true)?;
             findings.check(is_near, || {
                 let message = message!("vertex {vertex} is too far from segment {}", way.segment);

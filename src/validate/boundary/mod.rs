@@ -8,9 +8,10 @@
 //!   them closed curves enclose; `areas`, of the regions; `forced`, the triangles that small angles
 //!   between segments excuse.
 //!
-//! `exact` and `sum` are the arithmetic. What an edge is on both sides of is found here from the
+//! `anchors` are the ends of lines; `exact` and `sum` are the arithmetic. What an edge is on both sides of is found here from the
 //! triangles alone.
 
+mod anchors;
 mod areas;
 mod arrays;
 mod chains;
@@ -30,6 +31,7 @@ use crate::memory::AllocResult;
 use crate::mesh::{Inputs, Region, Segments, Triangulation};
 use crate::options::Extent;
 use crate::quality::view::View;
+use anchors::Anchors;
 use edges::Edges;
 use lines::Lines;
 
@@ -94,7 +96,8 @@ pub(super) fn check_geometry<const D: usize>(
         chains::check(inputs, segments, view, &edges, findings)?;
     }
     frame::check(inputs, view, &edges, findings)?;
-    lines::check(view, &Lines::new(view.mesh, inputs.distinct(), &edges)?, findings)
+    let anchors = Anchors::new(view, inputs.distinct(), &edges);
+    lines::check(view, &Lines::new(view.mesh, &anchors)?, findings)
 }
 
 /// Checks level 3 of a mesh for which level 1 holds.
@@ -111,8 +114,9 @@ pub(super) fn check_regions<const D: usize>(
         regions::check(inputs, outline, view, &edges, promised, findings)?;
         areas::check(view, &edges, promised.count, findings)?;
     }
-    let lines = Lines::new(view.mesh, inputs.distinct(), &edges)?;
-    forced::check(view, &edges, &lines, inputs.distinct(), findings)
+    let anchors = Anchors::new(view, inputs.distinct(), &edges);
+    let lines = Lines::new(view.mesh, &anchors)?;
+    forced::check(view, &edges, &lines, &anchors, findings)
 }
 
 /// Returns for each simplex the largest edge that the seed of its region asks for, or infinity;

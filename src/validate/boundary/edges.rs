@@ -11,9 +11,9 @@ use std::cmp::Ordering;
 /// Largest length along each axis, in units in the last place of the mesh's largest coordinate, of
 /// a subsegment that may lack room for a vertex on it.
 const SHORT: f64 = 64.0;
-/// Largest distance, in such units of each axis, of an opposite vertex from a subsegment's line for which
-/// the subsegment may lack room. Splits are fractions of the caller's segments, and as coarse as
-/// doubles near their ends.
+/// Largest distance, in such units of each axis, of an opposite vertex from a subsegment's line for
+/// which the subsegment may lack room. Splits are fractions of the caller's segments, and as coarse
+/// as doubles near their ends.
 const NO_ROOM: f64 = 8.0;
 
 /// Edges of the triangles that are subsegments.

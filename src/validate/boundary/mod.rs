@@ -8,8 +8,8 @@
 //!   them closed curves enclose; `areas`, of the regions; `forced`, the triangles that small angles
 //!   between segments excuse.
 //!
-//! `anchors` are the ends of lines; `exact` and `sum` are the arithmetic. What an edge is on both sides of is found here from the
-//! triangles alone.
+//! `anchors` are the ends of lines; `exact` and `sum` are the arithmetic. What an edge is on both
+//! sides of is found here from the triangles alone.
 
 mod anchors;
 mod areas;

@@ -388,6 +388,16 @@ fn a_subsegment_without_room_need_not_be_gabriel() {
         let kinds = [0, 1, 2].map(|limited| kind(width, y, limited));
         assert_eq!(kinds, [broken, broken, None], "{width}");
     }
+    // The units are those of the coarser axis, here x, also along the other one.
+    let upright = |length: f64| {
+        let unit = 64.0 * unit;
+        let (half, apex) = (0.5 * length * unit, 100.0 - 0.4 * length * unit);
+        let points = [[100.0, 1.0], [100.0, 1.0 + 2.0 * half], [apex, 1.0 + half]];
+        let mut domain = by_hand(&points, 3, &[[0, 1]], &[[0, 1, 0]]);
+        domain.case.mesh.precision_limited[..2].fill(true);
+        kind_by_hand(&domain)
+    };
+    assert_eq!([60.0, 80.0].map(upright), [None, broken]);
 }
 
 #[test]

@@ -44,9 +44,9 @@ fn remove_subsegment(mesh: &mut Triangulation, at: usize) {
 #[test]
 fn arrays_that_do_not_fit() {
     let corruptions: [fn(&mut Triangulation); 13] = [
-        |mesh| drop(mesh.boundary.subfacet_parents.pop()),
-        |mesh| drop(mesh.boundary.subfacet_simplices.pop()),
-        |mesh| drop(mesh.boundary.simplex_regions.pop()),
+        |mesh| _ = mesh.boundary.subfacet_parents.pop(),
+        |mesh| _ = mesh.boundary.subfacet_simplices.pop(),
+        |mesh| _ = mesh.boundary.simplex_regions.pop(),
         |mesh| mesh.boundary.subfacet_parents[1] = 9,
         |mesh| mesh.boundary.subfacet_parents[0] = 1,
         |mesh| *mesh.boundary.subfacet_parents.last_mut().unwrap() = NONE,
@@ -113,12 +113,12 @@ fn subfacets_with_other_simplices() {
 #[test]
 fn domains_that_are_no_part_of_the_whole() {
     let corruptions: [fn(&mut Triangulation); 9] = [
-        |mesh| drop(mesh.boundary.subsegments.pop()),
-        |mesh| drop(mesh.boundary.parents.pop()),
+        |mesh| _ = mesh.boundary.subsegments.pop(),
+        |mesh| _ = mesh.boundary.parents.pop(),
         |mesh| mesh.boundary.parents[1] = 1,
-        |mesh| drop(mesh.boundary.subfacets.pop()),
-        |mesh| drop(mesh.boundary.subfacet_parents.pop()),
-        |mesh| drop(mesh.boundary.subfacet_simplices.pop()),
+        |mesh| _ = mesh.boundary.subfacets.pop(),
+        |mesh| _ = mesh.boundary.subfacet_parents.pop(),
+        |mesh| _ = mesh.boundary.subfacet_simplices.pop(),
         |mesh| mesh.boundary.subfacet_parents[1] = 1,
         |mesh| mesh.boundary.subfacet_simplices[0] = [5, 6],
         |mesh| mesh.boundary.flat.push(0),

@@ -10,6 +10,9 @@ use netmesh::{Inputs, NONE, Region, Segments, Triangulation};
 
 type Point = [f64; 3];
 
+/// Point in a projection.
+type Flat = [f64; 2];
+
 /// Points, facets and segments that a solid is made of.
 #[derive(Clone, Default)]
 pub struct Plan {
@@ -52,7 +55,7 @@ pub fn facets_of(loops: &[Vec<Vec<u32>>], are_triangles: bool) -> Facets {
 }
 
 /// Returns the coordinates without that of the axis along which a polygon has the largest area.
-fn projected(loops: &[Vec<Point>], points: &[Point]) -> (Vec<Vec<[f64; 2]>>, Vec<[f64; 2]>, f64) {
+fn projected(loops: &[Vec<Point>], points: &[Point]) -> (Vec<Vec<Flat>>, Vec<Flat>, f64) {
     let flat = |axis: usize, p: &Point| [p[(axis + 1) % 3], p[(axis + 2) % 3]];
     let area = |axis: usize| -> f64 {
         let corners: Vec<[f64; 2]> = loops[0].iter().map(|p| flat(axis, p)).collect();

@@ -78,9 +78,9 @@ fn a_twisted_prism_gets_vertices() {
                 [cosine, sine, z]
             })
         };
-        let mut solid = Solid::default();
-        solid.points = [ring(0.0, 0.0), ring(60.0 - turn, 1.0)].concat();
-        solid.polygons = vec![vec![0, 2, 1], vec![3, 4, 5]];
+        let points = [ring(0.0, 0.0), ring(60.0 - turn, 1.0)].concat();
+        let polygons = vec![vec![0, 2, 1], vec![3, 4, 5]];
+        let mut solid = Solid { points, polygons, regions: Vec::new() };
         for i in 0..3u32 {
             let j = (i + 1) % 3;
             solid.polygons.push(vec![i, j, 3 + i]);

@@ -339,7 +339,7 @@ fn cut_boundary(whole: &Triangulation, count: usize) -> Boundary {
     let all = &whole.boundary;
     let mut own = Boundary { forced: all.forced.clone(), ..Boundary::default() };
     let inside = |id: u32| if (id as usize) < count { id } else { NONE };
-    own.simplex_regions = all.simplex_regions[..count].to_vec();
+    own.simplex_regions = all.simplex_regions.iter().copied().take(count).collect();
     own.flat = all.flat.iter().copied().filter(|&id| inside(id) != NONE).collect();
     let simplices = || whole.simplices[..4 * count].chunks(4);
     for (ends, &parent) in all.subsegments.iter().zip(&all.parents) {

@@ -197,14 +197,14 @@ fn too_many_dimensions_hint_at_columns() {
     assert!(!chosen.stderr.contains("--columns"), "{}", chosen.stderr);
 }
 
-/// A surface is read as its points, and the summary says so.
+/// Of a surface the points are read if that is asked for, of a mesh always; the summary says so.
 #[test]
 fn what_is_left_out_is_told() {
     let off = "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n";
     let bench = bench_with("left_out", "solid.off", off);
-    let outcome = bench.run("solid.off -o solid.msh --json solid.json");
+    let outcome = bench.run("solid.off --points -o solid.msh --json solid.json");
     outcome.assert_success();
-    let line = "left out    4 faces; of the mesh or surface in the file the points are meshed\n";
+    let line = "left out    4 faces; --points asks for the points alone\n";
     assert!(outcome.stdout.contains(line), "{}", outcome.stdout);
     assert!(bench.read("solid.json").contains("\"faces\": 4"), "{}", bench.read("solid.json"));
     let again = bench.run("solid.msh");

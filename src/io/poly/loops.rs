@@ -308,6 +308,13 @@ mod tests {
         let depths: Vec<u32> = loops.polygons.iter().map(|polygon| polygon.depth).collect();
         assert_eq!(depths, [0, 1, 1, 0, 0]);
         assert_eq!(bounds(&points, &polygons, &[]), [true, false, false, true, true]);
+        // A hole is that of the smallest polygon, also where another one begins as far to the left.
+        let corners = [[0, 0], [4, -4], [4, 4], [1, 0], [2, -1], [2, 1]].map(|p| p.map(f64::from));
+        let points: Vec<f64> = corners.iter().flat_map(|[x, y]| [*x, *y, 0.0]).collect();
+        let polygons: [&[u32]; 3] = [&[3, 4, 5], &[0, 4, 5], &[0, 1, 2]];
+        assert_eq!(bounds(&points, &polygons, &[[1.5, 0.1, 0.0]]), [true, false, true]);
+        let within: [&[u32]; 2] = [&[0, 4, 5], &[0, 1, 2]];
+        assert_eq!(bounds(&points, &within, &[[1.5, 0.1, 0.0]]), [true, true]);
         // The same polygon twice is in none.
         let twice: [&[u32]; 2] = [&octagon, &octagon];
         assert_eq!(bounds(&points, &twice, &[]), [true, true]);

@@ -274,6 +274,22 @@ mod tests {
         assert_eq!(second, region([3.0, 3.0, 0.5], -4));
     }
 
+    /// As in TetGen, and not by the even-odd rule.
+    #[test]
+    fn a_polygon_in_another_one_is_a_hole_only_with_a_point_in_it() {
+        let points =
+            "8 3\n0 0 0 0\n1 4 0 0\n2 4 4 0\n3 0 4 0\n4 1 1 0\n5 3 1 0\n6 3 3 0\n7 1 3 0\n";
+        let facet = |holes: &str| {
+            let count = holes.lines().count();
+            let text = format!("{points}1\n2 {count}\n4 0 1 2 3\n4 4 5 6 7\n{holes}");
+            loops(&read(&text, Format::Poly).unwrap().outline.facets)
+        };
+        assert_eq!(facet("0 2 2 0\n"), [[[0, 1, 2, 3], [4, 5, 6, 7]]]);
+        let expected: [&[u32]; 5] = [&[0, 1, 2, 3], &[4, 5], &[5, 6], &[6, 7], &[7, 4]];
+        assert_eq!(facet(""), [expected]);
+        assert_eq!(facet("0 9 9 0\n"), [expected]);
+    }
+
     #[test]
     fn facets_of_smesh_are_a_line_each() {
         let text = format!("{POINTS}3 1\n4 1 2 3 4 6\n3 1 2 5\n3 2 3\n5 -1\n0\n");

@@ -1,4 +1,4 @@
-// How much dearer is a quality mesh than a plain Delaunay triangulation of the same vertices? nm_run
+// Cost of a quality mesh over that of a plain Delaunay triangulation of the same vertices. nm_run
 // and CGAL take turns in one process; the ratio of each turn is robust against a machine whose speed
 // drifts, its median against a disturbed turn.
 //

@@ -1,4 +1,4 @@
-// How soon is a point located? nm_mesh_locate and CGAL's locate() answer the same random questions
+// Time to locate a point. nm_mesh_locate and CGAL's locate() answer the same random questions
 // in the same Delaunay triangulation, in turns, on one thread. CGAL walks from where its own users
 // begin: from the cell of the point before (which helps only questions that are sorted), and by its
 // location structure (Triangulation_hierarchy_2, Fast_location), which has no equal in 4D.

@@ -1,4 +1,4 @@
-// What a run takes of memory: resident before, at its peak and afterwards, in all and per simplex.
+// Memory that a run takes: resident before, at its peak and afterwards, in all and per simplex.
 // Uniform points, default options; each case in a process of its own.
 //
 //   cmake --build <build> --target memory_use, then <build>/bench/

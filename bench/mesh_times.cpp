@@ -30,7 +30,7 @@ namespace {
 constexpr unsigned most_seconds = 600;  // of one turn
 constexpr std::size_t most_coordinates = std::size_t{1} << 25;
 
-// What a child leaves behind. The points are netmesh's vertices.
+// Result that a child leaves behind. The points are netmesh's vertices.
 struct Turn {
     double seconds;
     std::size_t vertices;
@@ -60,7 +60,7 @@ int run_netmesh(const PointSet& input, unsigned dim, Turn& turn) {
 }
 
 int run_tetgen(const PointSet& input, Turn& turn) {
-    // As in tetgen_ratio.cpp.
+    // The switches are those of tetgen_ratio.cpp.
     const TetgenResult result = tetgen_in_box(input, "pq" + std::to_string(bound(3)) + "/0O0/0Q");
     turn.seconds = result.seconds;
     turn.vertices = result.points.size() / 3;

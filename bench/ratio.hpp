@@ -1,4 +1,4 @@
-// What the programs of ratios share: calls that must not fail, and medians.
+// Functions that the programs of ratios share: calls that must not fail, and medians.
 #ifndef NETMESH_BENCH_RATIO_HPP
 #define NETMESH_BENCH_RATIO_HPP
 

@@ -60,7 +60,7 @@ int run_netmesh(const PointSet& input, double bound, Turn& turn) {
 }
 
 int run_tetgen(const PointSet& input, double bound, Turn& turn) {
-    // As in experiments/peers/main.cpp. p: the box; q: the bound, and no bound on dihedral angles;
+    // The switches are those of experiments/peers/main.cpp. p: the box; q: the bound, and no bound on dihedral angles;
     // O0/0: no optimisation afterwards, as netmesh has none; Q: quiet.
     const TetgenResult result = tetgen_in_box(input, "pq" + std::to_string(bound) + "/0O0/0Q");
     turn = {result.seconds, result.points.size() / 3};

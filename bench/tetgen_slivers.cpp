@@ -1,4 +1,4 @@
-// What rids a mesh of slivers: netmesh's min_dihedral beside TetGen's optimisation and its bound on
+// Ways to rid a mesh of slivers: netmesh's min_dihedral beside TetGen's optimisation and its bound on
 // dihedral angles (the number after the slash of -q). The same points, the same radius-edge bound 2.
 // Each run is in a child of its own, as in tetgen_ratio.cpp.
 //
@@ -76,7 +76,7 @@ double least_dihedral(const Mesh& mesh, const std::uint32_t* corners) {
     return least;
 }
 
-// How deep `x` is in the circumball, relative to the squared radius; below 0 outside.
+// Returns the depth of `x` in the circumball, relative to the squared radius; below 0 outside.
 double depth(const Mesh& mesh, const std::uint32_t* corners, std::uint32_t x) {
     const Vector origin = mesh.point(corners[0]);
     const Vector a = minus(mesh.point(corners[1]), origin), b = minus(mesh.point(corners[2]), origin),

@@ -33,7 +33,7 @@ std::size_t count(const std::vector<std::uint8_t>& classes, nm_face_class wanted
     return static_cast<std::size_t>(std::count(classes.begin(), classes.end(), wanted));
 }
 
-// What the parts of the interface say of one another.
+// The parts of the interface agree with one another.
 void shapes_agree_with_themselves(const std::string& scratch) {
     const netmesh::mesh mesh = delaunay(3, generate("uniform", 3, 300).coordinates);
     const netmesh::alpha_shape shape(mesh, netmesh::optimal_alpha(mesh));
@@ -87,7 +87,7 @@ void shapes_are_cgals(const char* distribution) {
     }
     Alpha cgal(others.begin(), others.end(), 0, Alpha::GENERAL);
     const double optimal = netmesh::optimal_alpha(mesh);
-    // By CGAL's definition the least such value. Its own search takes solid components for a monotone
+    // The least such value, by CGAL's definition. Its own search takes solid components for a monotone
     // number and may end above.
     const double rounding = 1e-9;
     CHECK(*cgal.find_optimal_alpha(1) >= optimal * (1 - rounding));

@@ -44,7 +44,7 @@ public:
 
     void join(std::size_t a, std::size_t b) { parents_[find(a)] = find(b); }
 
-    // How many groups the items have for which `counts` holds.
+    // Number of groups that the items have for which `counts` holds.
     template <class Counts>
     std::size_t count(Counts counts) {
         std::set<std::size_t> found;
@@ -78,7 +78,7 @@ struct Complex {
     ExportedMesh mesh;
     Faces faces;
     std::vector<std::vector<long double>> values;
-    // By the numbers of simplices.
+    // Values by the numbers of simplices.
     std::vector<long double> of_simplices;
 };
 
@@ -285,7 +285,7 @@ void boundaries_are_what_leads_out(const Complex& complex, double alpha, const s
     for (auto& point : points) {
         file >> point[0] >> point[1] >> point[2];
     }
-    // The same facets, by the places of their vertices.
+    // Facets are compared by the places of their vertices.
     std::multiset<std::vector<double>> written, expected;
     for (std::size_t i = 0; i < facets; ++i) {
         std::vector<double> places;

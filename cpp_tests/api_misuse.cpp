@@ -205,7 +205,7 @@ void getters() {
     EXPECT(nm_mesh_validate(mesh.get(), 3, nullptr), NM_NULL_ARGUMENT, "report");
 }
 
-// What a failed call must not touch.
+// State that a failed call must not touch.
 struct Snapshot {
     ExportedMesh mesh;
     nm_counts counts;

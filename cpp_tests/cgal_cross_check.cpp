@@ -16,7 +16,7 @@
 
 namespace {
 
-// Where the time of a test goes.
+// Times the parts of a test.
 class Stopwatch {
 public:
     void lap(const char* what) {

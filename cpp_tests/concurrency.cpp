@@ -85,7 +85,7 @@ void many_readers() {
     });
 }
 
-// What the progress callback and another thread see of a mesh at work.
+// Observations of the progress callback and of another thread on a mesh at work.
 struct AtWork {
     nm_mesh* mesh;
     std::atomic<int> reports{0};

@@ -33,7 +33,7 @@ static_assert(!std::is_convertible_v<const std::vector<double>&, netmesh::span<d
 static_assert(!std::is_convertible_v<std::vector<float>&, netmesh::span<const double>>);
 static_assert(std::is_convertible_v<netmesh::span<double>, netmesh::span<const double>>);
 // A field that nm_options got has to be in netmesh::options too.
-static_assert(sizeof(nm_options) == 160 + 4 * sizeof(void*));
+static_assert(sizeof(nm_options) == 168 + 4 * sizeof(void*));
 
 template <class Call>
 void expect_error(int line, nm_status expected, const char* word, Call call) {
@@ -309,7 +309,7 @@ void errors() {
     netmesh::options options;
     options.progress = [](const nm_progress&) { return false; };
     expect_error(__LINE__, NM_CANCELLED, "cancel", [&] { mesh.run(options); });
-    // What a callback throws comes out of run() itself, and the mesh still works.
+    // An exception of a callback comes out of run() itself, and the mesh still works.
     options.progress = [](const nm_progress&) -> bool { throw std::length_error("mine"); };
     bool caught = false;
     try {
@@ -333,7 +333,7 @@ void errors() {
     CHECK_EQUAL(mesh.validate().violations, 0u);
 }
 
-// The same without exceptions.
+// Asks for results without exceptions.
 void results(const std::string& directory) {
     using netmesh::mesh;
     const std::vector<double> odd(5, 1.0);

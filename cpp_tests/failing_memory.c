@@ -144,6 +144,8 @@ struct job {
   uint64_t segments;
   /* Which regions of these are inside. */
   nm_interior interior;
+  /* The sides of a cube between its first eight points. */
+  int has_facets;
 };
 
 /* Eight bytes at a time: byte for byte, children would mostly do this. Each step is a bijection. */
@@ -303,9 +305,38 @@ static int use_segments(const struct job *job, nm_mesh *mesh) {
          run_within(mesh, NM_EXTENT_HULL, NM_INTERIOR_SEEDS, NM_CROSSINGS_REFUSE) && measure(mesh);
 }
 
+/* The sides of a cube as facets and as triangles, with a segment in it, a label and a hole. */
+static int use_facets(const struct job *job, nm_mesh *mesh) {
+  static const uint64_t loops[] = {0, 1, 2, 3, 4, 5, 6}, starts[] = {0, 4, 8, 12, 16, 20, 24};
+  static const uint32_t sides[] = {0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
+  static const int32_t markers[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+  static const uint32_t segment[] = {8, 9};
+  static uint32_t triangles[36];
+  static nm_intersection found[1];
+  uint64_t needed = 1;
+  nm_region region = NM_REGION_INIT;
+  for (int i = 0; i < 6; ++i) {
+    const uint32_t *side = sides + 4 * i;
+    const uint32_t both[] = {side[0], side[1], side[2], side[0], side[2], side[3]};
+    memcpy(triangles + 6 * i, both, sizeof both);
+  }
+  for (int k = 0; k < 3; ++k) region.seed[k] = 0.75;
+  region.label = 3;
+  return succeeded(nm_mesh_set_facets(mesh, 6, loops, starts, sides, markers), "facets") &&
+         succeeded(nm_mesh_set_segments(mesh, 1, segment, markers), "a segment in space") &&
+         succeeded(nm_mesh_set_regions(mesh, 1, &region), "a region in space") &&
+         succeeded(nm_mesh_get_intersections(mesh, found, 1, &needed), "intersections") &&
+         run_within(mesh, NM_EXTENT_BOUNDARY, job->interior, NM_CROSSINGS_REFUSE) && measure(mesh) &&
+         export(mesh, NM_FORMAT_VTU) && export(mesh, NM_FORMAT_TETGEN_NODE) &&
+         export(mesh, NM_FORMAT_MEDIT) && export(mesh, NM_FORMAT_GMSH) &&
+         succeeded(nm_mesh_set_triangles(mesh, 12, triangles, markers), "triangles") &&
+         run_within(mesh, NM_EXTENT_ALL, NM_INTERIOR_SEEDS, NM_CROSSINGS_REFUSE) && measure(mesh);
+}
+
 /* Everything after the handle is there; stops where an allocation fails. */
 static int use(const struct job *job, nm_mesh *mesh) {
   if (job->segments > 0) return use_segments(job, mesh);
+  if (job->has_facets) return use_facets(job, mesh);
   return run(mesh, NM_OUTPUT_HIERARCHICAL, NM_ALGORITHM_NETMESH) && measure(mesh) &&
          export(mesh, job->mesh_format) && export(mesh, NM_FORMAT_OFF) &&
          export(mesh, NM_FORMAT_TETGEN_NODE) && export(mesh, NM_FORMAT_CSV) &&
@@ -359,6 +390,9 @@ int main(int count, char **arguments) {
   static double huge_plane[2 * 24], huge_space[3 * 12], huge_4d[4 * 8];
   /* The curve through these crosses itself, and passes one of them. */
   static const double curve[] = {0, 0, 4, 0, 4, 4, 0, 4, 1, 1, 3, 1.5, 1.5, 3, 3, 3};
+  /* The bits of a corner's number are its coordinates, the last one first. */
+  static const double cube[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1,
+                                0.5, 0.25, 0.5, 0.5, 0.5, 0.5};
   scatter(plane, 2, 36, 1.0);
   scatter(space, 3, 16, 1.0);
   /* Outside the window of the adaptive signs: all that the filters leave open goes to integers. */
@@ -367,14 +401,15 @@ int main(int count, char **arguments) {
   scatter(huge_4d, 4, 8, 1e200);
   for (size_t i = 0; i < 2 * 25; i++) lattice[i] = (double)(i % 2 ? i / 2 / 5 : i / 2 % 5);
   const struct job jobs[] = {
-      {"2d", 2, 36, NM_FORMAT_VTU, plane, 0, NM_INTERIOR_SEEDS},
-      {"2d_lattice", 2, 25, NM_FORMAT_VTU, lattice, 0, NM_INTERIOR_SEEDS},
-      {"3d", 3, 16, NM_FORMAT_VTU, space, 0, NM_INTERIOR_SEEDS},
-      {"2d_big_integers", 2, 24, NM_FORMAT_VTU, huge_plane, 0, NM_INTERIOR_SEEDS},
-      {"3d_big_integers", 3, 12, NM_FORMAT_VTU, huge_space, 0, NM_INTERIOR_SEEDS},
-      {"4d_big_integers", 4, 8, NM_FORMAT_OFF, huge_4d, 0, NM_INTERIOR_SEEDS},
-      {"2d_segments", 2, 8, NM_FORMAT_VTU, curve, 8, NM_INTERIOR_SEEDS},
-      {"2d_parity", 2, 8, NM_FORMAT_VTU, curve, 8, NM_INTERIOR_PARITY},
+      {"2d", 2, 36, NM_FORMAT_VTU, plane, 0, NM_INTERIOR_SEEDS, 0},
+      {"2d_lattice", 2, 25, NM_FORMAT_VTU, lattice, 0, NM_INTERIOR_SEEDS, 0},
+      {"3d", 3, 16, NM_FORMAT_VTU, space, 0, NM_INTERIOR_SEEDS, 0},
+      {"2d_big_integers", 2, 24, NM_FORMAT_VTU, huge_plane, 0, NM_INTERIOR_SEEDS, 0},
+      {"3d_big_integers", 3, 12, NM_FORMAT_VTU, huge_space, 0, NM_INTERIOR_SEEDS, 0},
+      {"4d_big_integers", 4, 8, NM_FORMAT_OFF, huge_4d, 0, NM_INTERIOR_SEEDS, 0},
+      {"2d_segments", 2, 8, NM_FORMAT_VTU, curve, 8, NM_INTERIOR_SEEDS, 0},
+      {"2d_parity", 2, 8, NM_FORMAT_VTU, curve, 8, NM_INTERIOR_PARITY, 0},
+      {"3d_facets", 3, 10, NM_FORMAT_VTU, cube, 0, NM_INTERIOR_PARITY, 1},
   };
   /* What ends a child would search for its own symbols first. */
   setenv("RUST_BACKTRACE", "0", 1);

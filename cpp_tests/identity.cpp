@@ -68,7 +68,7 @@ void other_processes(const std::string& program, const std::vector<Job>& all,
         layouts.insert(printed.layout);
         std::cout << hexadecimal(hash_of(printed.hashes)) << "  another process: " << environment << "\n";
     }
-    // Where addresses are not randomised this tests less, which is not the library's fault.
+    // This tests less if addresses are not randomised, which is not the library's fault.
     std::cout << layouts.size() << " different address layouts\n";
 }
 

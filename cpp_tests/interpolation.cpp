@@ -151,7 +151,7 @@ Weights linear_weights(const ExportedMesh& mesh, const std::vector<Point2>& vert
     return {};
 }
 
-// What a cell of x would take from the cell of each vertex: Sibson's weights.
+// Sibson's weights: the volumes that a cell of x would take from the cell of each vertex.
 Weights sibson_weights(const std::vector<Point2>& vertices, const Point2& x) {
     const Polygon2 cell = cell_among(x, vertices, 1000);
     Weights weights;

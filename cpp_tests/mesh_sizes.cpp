@@ -1,4 +1,4 @@
-// How large are the meshes? The promised sizes at the default bound; then TetGen and netmesh on the
+// Sizes of meshes. The promised sizes at the default bound; then TetGen and netmesh on the
 // same inputs with the same criterion, as a table on the screen and in the given file.
 //
 //   mesh_sizes <table.md>

@@ -252,8 +252,7 @@ impl Mesh {
     }
 
     /// Returns the mesh with these markers for the facets of its result.
-    #[cfg(test)]
-    pub(crate) fn with_facet_markers(self, markers: Vec<i32>) -> Self {
+    pub fn with_facet_markers(self, markers: Vec<i32>) -> Self {
         let facets = Facets { markers, ..Facets::default() };
         Self { earlier_facets: Some(facets), ..self }
     }

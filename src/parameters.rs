@@ -123,8 +123,8 @@ fn default_of(dim: usize, name: Name, options: &Options, range: &Bounds) -> f64 
     }
 }
 
-/// Returns the options of a mesh with segments. There the bound is on angles: the cell of a vertex on a
-/// boundary reaches beyond that.
+/// Returns the options of a mesh with segments. There the bound is on angles: the cell of a vertex
+/// on a boundary reaches beyond that.
 ///
 /// # Errors
 /// `InvalidArgument`, naming the option, its value and the rule.
@@ -151,6 +151,25 @@ pub fn with_segments(options: &Options) -> Result<Options> {
         ));
     }
     Ok(Options { criterion: Criterion::RadiusEdge, ..options.clone() })
+}
+
+/// Returns the parameters of a mesh with facets. An infinite bound asks for a mesh that conforms to
+/// them, and for no quality.
+///
+/// # Errors
+/// `InvalidArgument`, naming the option, its value and the rule.
+pub fn with_facets(options: &Options) -> Result<Parameters> {
+    let options = with_segments(options)?;
+    let Options { min_dihedral, quality_bound, .. } = options;
+    if min_dihedral != 0.0 {
+        let rule = "it must be 0 with facets";
+        return refuse(say!(Name::MinDihedral, " is {min_dihedral}; {rule}"));
+    }
+    if quality_bound != f64::INFINITY {
+        return Parameters::resolve(3, &options);
+    }
+    let resolved = Parameters::resolve(3, &Options { quality_bound: 0.0, ..options })?;
+    Ok(Parameters { quality_bound: f64::INFINITY, ..resolved })
 }
 
 /// Resolves which regions are inside: those by parity where polygons of a file may be cut out, all

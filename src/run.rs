@@ -55,7 +55,9 @@ impl Mesh {
             let arranged = arrangement.as_mut();
             let made = self.meshed(&options, arranged, size, progress.as_deref_mut());
             let known = shared.points.len();
-            let lacks_room = made.as_ref().is_err_and(|error| error.kind() == ErrorKind::Limit);
+            // In space there is no common vertex that two segments could go through instead.
+            let lacks_room = self.inputs().dim() == 2
+                && made.as_ref().is_err_and(|error| error.kind() == ErrorKind::Limit);
             if let Some(arrangement) = arrangement.filter(|_| lacks_room) {
                 self.note_crowded(&mut shared, &arrangement)?;
             }

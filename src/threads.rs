@@ -1,6 +1,6 @@
-//! Threads that share pieces of work: each piece is taken by the first thread that is free, and done
-//! once. No result depends on which thread that is, if those who use this put results in the order of
-//! the pieces.
+//! Threads that share pieces of work: each piece is taken by the first thread that is free, and
+//! done once. No result depends on which thread that is, if those who use this put results in the
+//! order of the pieces.
 
 use crate::memory::{AllocResult, collected, with_capacity};
 use std::iter::Enumerate;
@@ -52,8 +52,8 @@ impl<I: Iterator> Pieces<I> {
     }
 }
 
-/// Does `own` on the calling thread and `other` on each further one of `threads` threads. Returns what
-/// they return, that of `own` first. Where the system refuses threads there are fewer.
+/// Does `own` on the calling thread and `other` on each further one of `threads` threads. Returns
+/// what they return, that of `own` first. Where the system refuses threads there are fewer.
 pub(crate) fn together<T: Send>(
     threads: usize,
     own: impl FnOnce() -> T,

@@ -4,14 +4,14 @@ use crate::compiler::{Language, root, run, skip, strict_compiler, text};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// How a program gets the library.
+/// Way in which a program gets the library.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Link {
     Static,
     Shared,
 }
 
-/// Where cargo puts what it builds for this test: beside the test itself.
+/// Returns the directory of what cargo builds for this test: that of the test itself.
 fn built() -> PathBuf {
     std::env::current_exe().unwrap().parent().unwrap().to_owned()
 }

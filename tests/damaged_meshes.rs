@@ -143,7 +143,8 @@ fn gmsh_refuses_damaged_nodes() {
     );
     assert_refused(
         Format::Gmsh,
-        "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 1 1 1\n2 1 0 1\n1\n1 2 3\n$EndNodes\n$Elements\n",
+        "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 1 1 1\n2 1 0 1\n1\n1 2 3\n$EndNodes\n\
+         $Elements\n",
         &[
             ("", Broken, "the file ends after line 10: the numbers of blocks and elements"),
             ("1 1 1\n", Broken, "line 11: 3 columns where 4 are expected"),
@@ -304,7 +305,8 @@ fn ply_refuses_damaged_rows() {
 #[test]
 fn ply_refuses_damaged_binary_rows() {
     let header = format!(
-        "ply\nformat binary_little_endian 1.0\nelement vertex 1\n{VERTICES}element face 1\n{FACES}end_header\n"
+        "ply\nformat binary_little_endian 1.0\nelement vertex 1\n{VERTICES}element face 1\n\
+         {FACES}end_header\n"
     );
     let file = |x: f32, rest: &[u8]| {
         let point = [x.to_le_bytes(), 2f32.to_le_bytes()].concat();
@@ -460,12 +462,15 @@ fn npy_refuses_damaged_arrays() {
 /// Cut off after any byte, a file is refused; or nothing of the points is gone.
 #[test]
 fn files_cut_off_anywhere_are_refused() {
-    let gmsh = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 2 1 2\n2 1 0 2\n1\n2\n1 2 0\n3 4 5\n$EndNodes\n\
+    let gmsh = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 2 1 2\n2 1 0 2\n1\n2\n1 2 0\n\
+                3 4 5\n$EndNodes\n\
                 $Elements\n0 0 0 0\n$EndElements\n";
     let gmsh_2 = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n2\n1 1 2 0\n2 3 4 5\n$EndNodes\n";
-    let medit = "MeshVersionFormatted 2\nDimension 2\nVertices 2\n1 2 0\n3 4 0\nTriangles\n1\n1 2 2 0\nEnd\n";
+    let medit = "MeshVersionFormatted 2\nDimension 2\nVertices 2\n1 2 0\n3 4 0\nTriangles\n1\n\
+                 1 2 2 0\nEnd\n";
     let ply = format!(
-        "ply\nformat ascii 1.0\nelement vertex 2\n{VERTICES}element face 1\n{FACES}end_header\n1 2\n3 4\n2 0 1\n"
+        "ply\nformat ascii 1.0\nelement vertex 2\n{VERTICES}element face 1\n{FACES}end_header\n\
+         1 2\n3 4\n2 0 1\n"
     );
     let binary = ply.replace("ascii", "binary_little_endian");
     let (binary, _) = binary.split_once("1 2\n").unwrap();

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 const DOCUMENT: &str = "docs/guarantees.md";
-/// Where tests are, and what registers them.
+/// Folders of tests.
 const PLACES: [&str; 6] =
     ["tests", "src", "cpp_tests", "fuzz/src", "fuzz/examples", "python/tests"];
 

@@ -28,7 +28,7 @@ fn arrays_agree_with_each_other() {
     });
 }
 
-/// Whether `q` is in the simplex or on its boundary, by integers.
+/// Returns true if `q` is in the simplex or on its boundary, by integers.
 fn holds<const D: usize>(mesh: &Triangulation, simplex: usize, q: &[f64]) -> bool {
     let q: &[f64; D] = q.try_into().unwrap();
     let vertices = mesh.simplex(simplex).iter().map(|&v| mesh.point(v).try_into().unwrap());

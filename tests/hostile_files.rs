@@ -21,7 +21,8 @@ const READABLE: [Format; 8] = [
 ];
 const NO_NPY: &str = "byte 1: the file does not begin as an .npy file does";
 const GIGABYTE: u64 = 1 << 30;
-/// What a reader may hold beside the points: its buffer, a line, and room for the vectors to grow.
+/// Bytes that a reader may hold beside the points: its buffer, a line, and room for the vectors to
+/// grow.
 const FEW_BYTES: isize = 4 << 20;
 
 /// Counts what the current thread holds: tests run side by side.
@@ -56,7 +57,7 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// What `body` answers, and the most that it held beyond what was held before.
+/// Returns the answer of `body`, and the most that it held beyond what was held before.
 fn peak_of<T>(body: impl FnOnce() -> T) -> (T, isize) {
     let before = HELD.get();
     PEAK.set(before);
@@ -189,7 +190,7 @@ fn a_header_of_declarations_is_bounded() {
     assert!(error.message().starts_with("the file ends after line"), "{error}");
 }
 
-/// The same bytes again and again.
+/// Reader of some bytes again and again.
 struct Repeated(&'static [u8], usize);
 
 impl Read for Repeated {
@@ -202,7 +203,7 @@ impl Read for Repeated {
     }
 }
 
-/// Where the first line never ends, no more than a line's length is read.
+/// No more than a line's length is read of a first line that never ends.
 #[test]
 fn a_gigabyte_of_one_byte_is_refused_at_once() {
     for (byte, expected) in [
@@ -290,7 +291,7 @@ fn a_gigabyte_of_empty_lines_is_refused_in_seconds() {
     assert!(begun.elapsed() < Duration::from_secs(120), "{:?}", begun.elapsed());
 }
 
-/// The same from a real file: one that takes no room on the disk.
+/// A real file of a gigabyte is refused at once, too: one that takes no room on the disk.
 #[cfg(unix)]
 #[test]
 fn a_sparse_file_of_a_gigabyte_is_refused_at_once() {

@@ -1,4 +1,4 @@
-//! What `nm_stats` says of a mesh against what brute force finds in its arrays.
+//! Figures of `nm_stats` against those that brute force finds in a mesh's arrays.
 
 use crate::random::Random;
 use netmesh::numerics::{Sign, distance, in_ball};
@@ -339,7 +339,7 @@ fn instruments_change_nothing_and_stay_off_unless_asked_for() {
     }
 }
 
-/// Of two inputs one is at the centre of the outer cage; the other is located once, and goes in.
+/// One of two inputs is at the centre of the outer cage; the other is located once, and goes in.
 #[test]
 fn the_first_location_of_an_input_is_a_touch() {
     let stats = run(2, &[0.0, 0.0, 1.0, 0.5], &Options::default()).stats;

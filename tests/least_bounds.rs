@@ -77,8 +77,8 @@ fn smallest_angle(mesh: &Triangulation) -> f64 {
     histogram(mesh, Measure::SmallestAngle, true, &[0.0]).unwrap().least
 }
 
-/// How many cells of a well-spaced mesh are given up. All are at the root's cage, whose sphere has
-/// 0.8 times the domain's radius; inputs are within 0.4 of that from the middle.
+/// Returns the number of cells of a well-spaced mesh that are given up. All are at the root's cage,
+/// whose sphere has 0.8 times the domain's radius; inputs are within 0.4 of that from the middle.
 fn given_up_at_the_cage(mesh: &Triangulation) -> usize {
     let root = mesh.domains[0];
     let center = mesh.point(root.center);

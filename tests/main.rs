@@ -29,6 +29,7 @@ mod size_fields;
 mod sizes;
 mod slivers;
 mod small_stacks;
+mod solids;
 mod spread_curve;
 mod svr;
 mod words;

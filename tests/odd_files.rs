@@ -157,8 +157,8 @@ fn what_is_left_out_of_meshes_and_surfaces_is_counted() {
     assert_eq!(left_out(&cells, Format::Off), all);
     let quads = format!("OFF\n4 4 0\n{points}2 0 1\n3 0 1 2\n4 0 1 2 3\n1 0\n");
     assert_eq!(left_out(&quads, Format::Off), none);
-    let flat = format!("nOFF\n2\n4 4 0\n0 0\n1 0\n0 1\n1 1\n2 0 1\n3 0 1 2\n4 0 1 3 2\n1 0\n");
-    assert_eq!(left_out(&flat, Format::Off), LeftOut { cells: 0, ..all });
+    let flat = "nOFF\n2\n4 4 0\n0 0\n1 0\n0 1\n1 1\n2 0 1\n3 0 1 2\n4 0 1 3 2\n1 0\n";
+    assert_eq!(left_out(flat, Format::Off), LeftOut { cells: 0, ..all });
     let ply = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n\
                property float z\nelement face 2\nproperty list uchar int vertex_indices\n\
                element edge 1\nproperty int vertex1\nproperty int vertex2\nelement camera 1\n\

@@ -47,7 +47,7 @@ fn meanings(row: &Row, word: impl Fn(&netmesh::options::Word) -> String) -> Stri
 
 #[test]
 fn the_tables_of_options_are_the_rows() {
-    // What the defaults by dimension become.
+    // Values that the defaults by dimension become.
     let full = Parameters::resolve(3, &Options::default()).unwrap().options();
     let mut text = String::new();
     for group in Group::ALL {

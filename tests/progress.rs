@@ -1,4 +1,4 @@
-//! What a run reports while it works.
+//! Reports of a run while it works.
 
 use netmesh::{ErrorKind, Extent, Mesh, Options, Output, Phase, Progress};
 use rand_core::Rng;

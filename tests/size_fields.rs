@@ -81,8 +81,8 @@ fn least(points: &[&[f64]], size: &dyn Fn(&[f64]) -> f64) -> f64 {
     points.iter().map(|point| size(&clamped(point))).fold(f64::INFINITY, f64::min)
 }
 
-/// Of the simplices that meet the unit cube: the largest circumradius and edge over what the field
-/// allows; of those in it, the mean of their edges over the field.
+/// Measures the simplices that meet the unit cube: the largest circumradius and edge over what the
+/// field allows; of those in it, the mean of their edges over the field.
 fn measured(mesh: &Triangulation, size: &dyn Fn(&[f64]) -> f64) -> [f64; 3] {
     let (mut radius, mut edge, mut sum, mut count) = (0.0f64, 0.0f64, 0.0, 0.0);
     for simplex in 0..mesh.simplex_count() {
@@ -178,7 +178,7 @@ fn questions_are_in_the_box_and_one_a_vertex() {
         let mesh = mesh.triangulation().unwrap();
         let questions = asked.borrow().len();
         assert!(questions <= mesh.vertex_count(), "{questions} questions");
-        // What was answered is kept; at vertices far from the box nobody asked.
+        // Sizes that were answered are kept; at vertices far from the box nobody asked.
         assert_eq!(mesh.sizes.len(), mesh.vertex_count());
         let mut known = 0;
         for (v, &kept) in mesh.sizes.iter().enumerate() {
@@ -204,7 +204,7 @@ fn infinite_sizes_change_nothing_but_the_room() {
     let ratio = sized.vertex_count() as f64 / plain.vertex_count() as f64;
     assert!((0.8..1.25).contains(&ratio), "{ratio}");
     assert!(sized.sizes.iter().all(|&size| size == f64::INFINITY));
-    // Where one half has no bound, only the other half is refined.
+    // One half has no bound: only the other half is refined.
     let half = |x: &[f64]| if x[0] < 0.5 { 0.05 } else { f64::INFINITY };
     let mesh = run(3, &points, &well_spaced(), Some(&half));
     let mesh = mesh.triangulation().unwrap();
@@ -304,7 +304,7 @@ fn flat_inputs_have_sizes() {
     }
 }
 
-/// The same mesh at other powers of two, near the ends of the range too.
+/// Inputs at other powers of two, near the ends of the range too, make the same mesh.
 #[test]
 fn sizes_scale_with_the_inputs() {
     let count = |exponent: i32| {
@@ -508,7 +508,7 @@ fn the_box_is_in_the_mesh() {
     }
 }
 
-/// What segments enclose, and no more, is refined by size, to its boundary.
+/// The region that segments enclose, and no more, is refined by size, to its boundary.
 #[test]
 fn sizes_fill_a_domain_of_segments() {
     let points = cube(2, 20, 14);

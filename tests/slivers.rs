@@ -93,7 +93,7 @@ fn no_angle_is_smaller_than_asked_for() {
     let clusters = Random::new(2).uniform(3, 500);
     let clusters: Vec<f64> =
         (0..3000).map(|i| clusters[i % 30] + 0.02 * clusters[i % 1500]).collect();
-    // What the angle costs in vertices, at most.
+    // Factors that the angle costs in vertices, at most.
     let sets = [
         (uniform, 1.027),
         (gaussian(1500), 1.035),
@@ -120,7 +120,7 @@ fn no_angle_is_smaller_than_asked_for() {
     }
 }
 
-/// Of these points, by SplitMix64, the last sliver goes when a point comes and its neighbours move.
+/// The last sliver of these points, by SplitMix64, goes when a point comes and its neighbours move.
 #[test]
 fn the_last_sliver_takes_a_relaxation() {
     let mut words = SplitMix(1);
@@ -208,7 +208,7 @@ fn radius(mesh: &Triangulation, simplex: usize) -> f64 {
     product.sqrt() / (4.0 * volume.abs())
 }
 
-/// Where the bound gives way no simplex stays below the angle. What is marked is beyond the bound,
+/// No simplex stays below the angle if the bound gives way. What is marked is beyond the bound,
 /// and nothing else is.
 #[test]
 fn the_bound_gives_way_where_the_caller_says_so() {
@@ -242,7 +242,7 @@ fn the_bound_gives_way_where_the_caller_says_so() {
     assert_eq!(violations(&unasked), beyond.len() as u64);
 }
 
-/// The same of the certificate for simplices.
+/// Simplices beyond the bound need their marks for the certificate, too.
 #[test]
 fn simplices_beyond_the_bound_need_their_marks() {
     let uniform = Random::new(9).uniform(3, 300);

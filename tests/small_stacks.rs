@@ -8,7 +8,7 @@ use netmesh::query::Among;
 use netmesh::validate::validate_mesh;
 use netmesh::{Algorithm, Mesh, Options, quality};
 
-/// What docs/limitations.md asks for, and what musl gives to every thread.
+/// Bytes of stack that docs/limitations.md asks for, and that musl gives to every thread.
 const STACK: usize = 128 << 10;
 
 fn on_a_small_stack(work: impl FnOnce() + Send + 'static) {

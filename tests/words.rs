@@ -32,6 +32,18 @@ const EXEMPT: &[(&str, usize)] = &[];
 /// Folders whose sources are read, and the headers that are written by hand.
 const FOLDERS: &[&str] = &["src", "mpi/src", "cli/src", "python/src", "fuzz/src", "include"];
 
+/// Folders of tests and benches, where the comment of a function may begin with a noun.
+const TEST_FOLDERS: &[&str] = &[
+    "tests",
+    "bench",
+    "cli/tests",
+    "mpi/tests",
+    "mpi/examples",
+    "cpp_tests",
+    "examples",
+    "fuzz/fuzz_targets",
+];
+
 /// A doc comment: consecutive lines of one kind, without the signs that make them one.
 #[derive(Debug, PartialEq)]
 struct Comment {
@@ -222,21 +234,29 @@ fn root() -> PathBuf {
 /// Returns the comments of all sources of a tree by their paths, with slashes.
 fn comments_of_tree(root: &Path) -> BTreeMap<String, Vec<Comment>> {
     let mut found = BTreeMap::new();
-    let mut folders: Vec<PathBuf> = FOLDERS.iter().map(|folder| root.join(folder)).collect();
+    let named = FOLDERS.iter().chain(TEST_FOLDERS);
+    let mut folders: Vec<PathBuf> = named.map(|folder| root.join(folder)).collect();
     while let Some(folder) = folders.pop() {
         for entry in fs::read_dir(folder).expect("a folder") {
             let path = entry.expect("an entry").path();
             if path.is_dir() {
-                folders.push(path);
+                // Cargo may have built there.
+                if !path.ends_with("target") {
+                    folders.push(path);
+                }
                 continue;
             }
             let read = match path.extension().and_then(|extension| extension.to_str()) {
                 Some("rs") => comments_of_rust,
-                Some("hpp") => comments_of_header,
+                Some("hpp" | "cpp") => comments_of_header,
                 _ => continue,
             };
             let source = fs::read_to_string(&path).expect("a source");
-            found.insert(below(root, &path), read(&source));
+            let (path, mut comments) = (below(root, &path), read(&source));
+            if TEST_FOLDERS.iter().any(|folder| Path::new(&path).starts_with(folder)) {
+                comments.iter_mut().for_each(|comment| comment.documents_function = false);
+            }
+            found.insert(path, comments);
         }
     }
     found

@@ -31,10 +31,10 @@ std::vector<Case> scale_cases(unsigned dim, std::uint64_t seed);
 std::vector<Case> position_cases(unsigned dim, std::uint64_t seed);
 // Not a number, infinite, all equal.
 std::vector<Case> refused_cases(unsigned dim, std::uint64_t seed);
-// What was once found to fail: the files NAME.points of a directory, in the order of their names.
+// Inputs that were once found to fail: the files NAME.points of a directory, in the order of their names.
 std::vector<Case> found_cases(const std::string& directory);
 
-// How many points the cases of a dimension have where nothing else fixes the number.
+// Number of points that the cases of a dimension have where nothing else fixes the number.
 std::size_t usual_size(unsigned dim);
 
 #endif

@@ -8,7 +8,7 @@
 #include "cases.hpp"
 #include "netmesh.h"
 
-// How far a trial came; the last one means that it came to its end.
+// Stages that a trial came to; the last one means that it came to its end.
 enum class Stage : std::int32_t { generating, creating, running, validating, done };
 
 // Plain data in memory that parent and child share: it tells how far a dead child had come.

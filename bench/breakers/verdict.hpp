@@ -1,4 +1,4 @@
-// What counts as a failure.
+// Judgement of a trial: the outcomes that count as failures.
 #ifndef NETMESH_BREAKERS_VERDICT_HPP
 #define NETMESH_BREAKERS_VERDICT_HPP
 

@@ -1,4 +1,4 @@
-"""How far chains are from their segments, by exact fractions."""
+"""Distances of chains from their segments, by exact fractions."""
 
 import heapq
 import math

@@ -13,7 +13,7 @@ import tarfile
 from drawn import Drawing
 
 ATLAS = "world-atlas@2.0.2"
-# What an input may have at most, so that all can be drawn in minutes.
+# Most segments that an input may have, so that all can be drawn in minutes.
 MOST_SEGMENTS = 400
 
 

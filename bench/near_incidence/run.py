@@ -25,7 +25,7 @@ from library import Library
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FAILURES = ("refused", "endless", "certificate", "chain", "crash")
-# What is no failure, since no mesh can answer it.
+# Outcomes that are no failures, since no mesh can answer them.
 OTHERS = ("crossing", "nothing inside")
 CHUNK = 25
 

@@ -110,7 +110,7 @@ def draw_window(ax, mesh, center, half_width):
     draw_segments(ax, ends[is_seen], color="#a8a8a8", linewidth=0.5)
     for kind, (_, color, size) in KINDS.items():
         inside = (np.abs(points) <= 1).all(axis=1) & (mesh.kinds == kind)
-        # Of many vertices on one spot, one is enough.
+        # One vertex of many on one spot is enough.
         spots = np.unique(np.round(points[inside] * PIXELS) / PIXELS, axis=0)
         # Dots are round ends of segments without length: a few bytes each.
         draw_segments(ax, np.stack([spots, spots], axis=1), color=color, linewidth=size)

@@ -95,8 +95,8 @@ fn histograms(histograms: &Histograms) -> Map<String, Value> {
     histograms.tables.iter().map(|table| (table.name.to_owned(), histogram(table))).collect()
 }
 
-/// Returns a histogram: `counts[i]` and `counts_at_hull[i]` are of the values between `edges[i]` and
-/// `edges[i + 1]`.
+/// Returns a histogram: `counts[i]` and `counts_at_hull[i]` are of the values between `edges[i]`
+/// and `edges[i + 1]`.
 fn histogram(table: &Table) -> Value {
     json!({
         "edges": table.edges.iter().map(|edge| number(*edge)).collect::<Vec<_>>(),
@@ -210,8 +210,8 @@ mod tests {
         }
         let odd = [f64::INFINITY, f64::NEG_INFINITY, f64::NAN].map(number);
         let written = text(&json!({ "odd": odd, "most": u64::MAX, "in": { "none": null } }));
-        let expected = "{\n  \"odd\": [\"inf\", \"-inf\", \"nan\"],\n  \"most\": 18446744073709551615,\
-                        \n  \"in\": {\n    \"none\": null\n  }\n}\n";
+        let expected = "{\n  \"odd\": [\"inf\", \"-inf\", \"nan\"],\n  \"most\": \
+                        18446744073709551615,\n  \"in\": {\n    \"none\": null\n  }\n}\n";
         assert_eq!(written, expected);
     }
 }

@@ -51,7 +51,8 @@ fn read_background(path: &Path) -> Result<(PointCloud, Vec<f64>), Failure> {
         (None, _) => Err(refused(path, "it has no attribute \"size\"")),
         (Some(_), others) => {
             let message = format!(
-                "{} attributes a point, and no names for them; a size is one, or in a .mtr file beside",
+                "{} attributes a point, and no names for them; a size is one, or in a .mtr file \
+                 beside",
                 others + 1
             );
             Err(refused(path, &message))
@@ -106,8 +107,8 @@ fn parse(text: &str) -> Result<Vec<f64>, Fault> {
         Ok([count, values]) => (*count, *values),
         _ => {
             let message = format!(
-                "line {number}: {head}; the first line has the number of points, and that of values \
-                 at each, 1"
+                "line {number}: {head}; the first line has the number of points, and that of \
+                 values at each, 1"
             );
             return Err(malformed(message));
         }

@@ -209,7 +209,8 @@ impl Summary<'_> {
         lines.add(
             "",
             format!(
-                "off the hull: radius-edge worst {}, smallest {angle} {} degrees; highest degree {}",
+                "off the hull: radius-edge worst {}, smallest {angle} {} degrees; highest degree \
+                 {}",
                 measure(quality.worst_radius_edge),
                 measure(quality.min_angle_degrees),
                 grouped(u64::from(quality.max_degree)),
@@ -304,7 +305,8 @@ impl Summary<'_> {
         lines.add(
             "run",
             format!(
-                "{} in {}, the worst leaving {} of the longest conflict list; {} ({:.1} per input, at most {} for one)",
+                "{} in {}, the worst leaving {} of the longest conflict list; {} ({:.1} per input, \
+                 at most {} for one)",
                 counted(stats.rounds, "round", "rounds"),
                 counted(stats.passes, "pass", "passes"),
                 measure(stats.worst_halving),
@@ -326,7 +328,8 @@ impl Summary<'_> {
         lines.add(
             "",
             format!(
-                "points made: {} for cages ({} of them to close cage gaps), {} corners, {} off-centres; an input instead {}",
+                "points made: {} for cages ({} of them to close cage gaps), {} corners, {} \
+                 off-centres; an input instead {}",
                 grouped(stats.cage_points),
                 grouped(stats.closing_points),
                 grouped(stats.far_corners),
@@ -337,7 +340,8 @@ impl Summary<'_> {
         lines.add(
             "",
             format!(
-                "epsilon {}, delta {}, gamma {}, yield radius {}, encroachment {}, cage scale {}, root scale {}, distance ratio {}",
+                "epsilon {}, delta {}, gamma {}, yield radius {}, encroachment {}, cage scale {}, \
+                 root scale {}, distance ratio {}",
                 parameters.epsilon,
                 parameters.delta,
                 parameters.gamma,
@@ -370,7 +374,8 @@ impl Summary<'_> {
         lines.add(
             "",
             format!(
-                "feature size of the inputs over that of the mesh at most {}; at the insertion of inputs {}, Steiner points {}, cages {}",
+                "feature size of the inputs over that of the mesh at most {}; at the insertion of \
+                 inputs {}, Steiner points {}, cages {}",
                 measure(stats.feature_size_constant),
                 measure(stats.insertion_constant_input),
                 measure(stats.insertion_constant_corner),

@@ -163,7 +163,7 @@ typename World::Delaunay inserted(const netmesh::mesh& mesh) {
     return typename World::Delaunay(with_ids.begin(), with_ids.end());
 }
 
-// The same cells where there is only one triangulation; the same answers to queries in any case.
+// Compares cells where there is only one triangulation, and answers to queries in any case.
 template <class World>
 void check_against_insertion(const typename World::Delaunay& filled, const netmesh::mesh& mesh, bool generic) {
     const auto reference = inserted<World>(mesh);
@@ -232,7 +232,7 @@ void every_input() {
     check::context.clear();
 }
 
-// Where is_unique() says so, CGAL goes on from what was filled.
+// CGAL goes on from what was filled, if is_unique() says so.
 template <class World>
 void insertion_and_removal() {
     netmesh::mesh mesh = netmesh::cgal::make_mesh(cgal_points<World>(generate("uniform", World::dim, 300)));

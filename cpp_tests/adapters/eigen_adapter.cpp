@@ -54,7 +54,7 @@ void check_points(const netmesh::mesh& mesh, const PointSet& set, int line) {
     check::that(equal, __FILE__, line, "coordinates");
 }
 
-// As functions of a library with Eigen::Ref take their arguments.
+// Takes its arguments in the way of a library with Eigen::Ref.
 netmesh::mesh through_ref(const Eigen::Ref<const Rows, 0, Eigen::OuterStride<>>& rows, bool& direct) {
     direct = reads_rows_directly(rows);
     return adapter::mesh_of_rows(rows);
@@ -94,7 +94,7 @@ void every_layout(const PointSet& set) {
     const Inner inner(spaced.data(), n, dim, Eigen::Stride<Dynamic, Dynamic>(2 * dim, 2));
     CHECK(!reads_rows_directly(inner));
     check_points(adapter::mesh_of_rows(inner), set, __LINE__);
-    // What is in no memory is evaluated.
+    // An expression, which is in no memory, is evaluated.
     check_points(adapter::mesh_of_rows((rows * 0.5) * 2), set, __LINE__);
     check_points(adapter::mesh_of_columns(columns.array() + 0), set, __LINE__);
 }

@@ -1,4 +1,4 @@
-// That a call throws netmesh::error with a status, and a message with a word in it.
+// Checks that a call throws netmesh::error with a status, and a message with a word in it.
 #ifndef NETMESH_TESTS_EXPECT_ERROR_HPP
 #define NETMESH_TESTS_EXPECT_ERROR_HPP
 

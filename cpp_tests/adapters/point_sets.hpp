@@ -1,4 +1,4 @@
-// What the adapters are tried on: inputs that are easy, and those that are hard on triangulations.
+// Inputs that the adapters are tried on: some that are easy, and those that are hard on triangulations.
 #ifndef NETMESH_TESTS_POINT_SETS_HPP
 #define NETMESH_TESTS_POINT_SETS_HPP
 

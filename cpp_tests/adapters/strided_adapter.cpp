@@ -49,7 +49,7 @@ void layouts(unsigned dim) {
 
     // With gaps, which hold what must not be read.
     std::vector<double> gaps(n * (dim + 3), std::nan(""));
-    // By coordinate; and backwards.
+    // Points by coordinate; and backwards.
     std::vector<double> by_coordinate(n * dim), backwards(n * dim);
     for (std::size_t i = 0; i < n; ++i) {
         for (std::size_t k = 0; k < dim; ++k) {
@@ -133,7 +133,7 @@ void structs_and_arrays() {
     expect_error(__LINE__, NM_DEGENERATE_INPUT, "two", [&] { make_mesh(strided(none)); });
 }
 
-// What std::mdspan offers of itself, in a language that has none yet.
+// The interface of std::mdspan, in a language that has none yet.
 template <class Number>
 struct View {
     using element_type = Number;

@@ -52,7 +52,7 @@ double determinant(const REAL* a, const REAL* b, const REAL* c, const REAL* d) {
     return tetrahedra::dot(tetrahedra::cross(minus(b, a), minus(c, a)), minus(d, a));
 }
 
-// What both promise of each output, as far as doubles can tell. exact: no determinant is so small
+// Promises of both for each output, as far as doubles can tell. exact: no determinant is so small
 // that its sign as computed may be wrong.
 void check_conventions(const tetgenio& io, bool exact) {
     CHECK_EQUAL(io.numberofcorners, 4);
@@ -199,7 +199,7 @@ void lists_that_are_asked_for() {
     CHECK_EQUAL(out.firstnumber, 0);
     CHECK_EQUAL(*std::min_element(out.tetrahedronlist, out.tetrahedronlist + 4 * out.numberoftetrahedra), 0);
     const int tetrahedra = out.numberoftetrahedra;
-    // What out held is replaced and freed.
+    // The arrays that out held are replaced and freed.
     netmesh::tetgen::tetrahedralize("-nIQV", &in, &out);
     CHECK_EQUAL(out.numberoftetrahedra, tetrahedra);
     CHECK(out.trifacelist != nullptr && out.neighborlist != nullptr && out.pointmarkerlist != nullptr);
@@ -209,7 +209,7 @@ void lists_that_are_asked_for() {
     CHECK_EQUAL(out.numberoftetrahedra, tetrahedra);
 }
 
-// What TetGen parses is refused or understood as the same text is.
+// Switches that TetGen parses are refused or understood as the same text is.
 void behaviors() {
     tetgenio in, from_text, from_behavior;
     put(generate("uniform", 3, 60), in, 1, true);

@@ -17,7 +17,7 @@ struct Certificate {
     std::uint64_t ties = 0;
     // Per simplex: it has such a facet.
     std::vector<bool> has_tie;
-    // What is wrong, with ids; empty if the mesh is certified.
+    // Faults, with ids; empty if the mesh is certified.
     std::vector<std::string> violations;
 };
 
@@ -29,16 +29,16 @@ Certificate certify(const ExportedMesh& mesh, const Reference& reference);
 struct Comparison {
     std::uint64_t ours = 0;
     std::uint64_t theirs = 0;
-    // Simplices of ours that CGAL's triangulation does not have...
+    // Simplices of ours that CGAL's triangulation does not have.
     std::uint64_t differing = 0;
-    // ...and among them those whose circumsphere is strictly empty, which every Delaunay
+    // Simplices among them whose circumsphere is strictly empty, which every Delaunay
     // triangulation must have.
     std::uint64_t inexcusable = 0;
     // Sum of the simplices' volumes, relative to CGAL's.
     double volume_ratio = 0.0;
 };
 
-// As sets of sorted tuples of vertex ids.
+// Compares sets of sorted tuples of vertex ids.
 Comparison compare(const ExportedMesh& mesh, const Certificate& certificate,
                    const Reference& reference);
 

@@ -22,7 +22,7 @@ function(build_with_cmake name)
   set(run_output "${run_output}" PARENT_SCOPE)
 endfunction()
 
-# As build_with_cmake, with this checkout in place of a copy in the project's own tree, and with cargo's
+# Builds like build_with_cmake, with this checkout in place of a copy in the project's own tree, and with cargo's
 # directory of this build, in which everything is built already.
 function(build_with_checkout name)
   set(cache "${scratch}/${name}_cache.cmake")

@@ -6,7 +6,7 @@ function(require_version what found)
   message(STATUS "${what}: ${found}")
 endfunction()
 
-# What `regex` catches in a file.
+# Sets the result to the text that `regex` catches in a file.
 function(read_match path regex result)
   file(READ "${path}" text)
   if(NOT text MATCHES "${regex}")

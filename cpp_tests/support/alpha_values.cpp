@@ -119,7 +119,7 @@ Ball circumscribed(const ExportedMesh& mesh, const Face& face) {
 
 std::vector<std::vector<long double>> alpha_values(const ExportedMesh& mesh, const Faces& faces) {
     std::vector<std::vector<long double>> values(mesh.dim + 1);
-    // What the faces of one more dimension say of their facets.
+    // Values that the faces of one more dimension give to their facets.
     std::vector<long double> from_above;
     for (std::size_t k = mesh.dim + 1; k-- > 0;) {
         std::vector<long double> to_below(k == 0 ? 0 : faces[k - 1].size(),

@@ -21,7 +21,7 @@
 
 namespace check {
 
-// What this program was built with, for a check that the sanitizer's runtime does not bear.
+// Sanitizers that this program was built with, for a check that the sanitizer's runtime does not bear.
 #if defined(__SANITIZE_ADDRESS__) || NETMESH_TESTS_HAS_FEATURE(address_sanitizer)
 constexpr bool address_sanitizer = true;
 #else
@@ -31,7 +31,7 @@ constexpr bool address_sanitizer = false;
 inline std::atomic<unsigned long> performed{0};
 inline std::atomic<unsigned long> failed{0};
 
-// What the test is at; set by main between checks, part of every report.
+// Place that the test is at; set by main between checks, part of every report.
 inline std::string context;
 
 // A broken loop must not bury the first failure under a million copies.
@@ -89,7 +89,7 @@ inline int result(const std::string& test) {
     return failed == 0 && performed > 0 ? 0 : 1;
 }
 
-// What ctest knows as SKIP_RETURN_CODE.
+// Exit code that ctest knows as SKIP_RETURN_CODE.
 constexpr int skip_code = 77;
 
 inline int skip(const std::string& reason) {

@@ -29,7 +29,7 @@ PointSet nested_clusters(unsigned dim, int log_spread, std::uint64_t seed);
 // the directory or the file is missing; exits with the line's number when a line is not a point.
 std::optional<PointSet> read_data_file(const std::string& file_name, unsigned dim);
 
-// Where read_data_file looks: $NETMESH_DATA, else ../shared/data beside the source directory.
+// Directory in which read_data_file looks: $NETMESH_DATA, else ../shared/data beside the source directory.
 std::string data_directory();
 
 #endif

@@ -45,7 +45,7 @@ inline Point2 circumcenter(const Point2& a, const Point2& b, const Point2& c) {
     return {a.x + (cy * bb - by * cc) / twice, a.y + (bx * cc - cx * bb) / twice};
 }
 
-// How much nearer x is to a than to b: linear in x, positive on a's side.
+// Difference of the squared distances of x to b and to a: linear in x, positive on a's side.
 inline long double advantage(const Point2& x, const Point2& a, const Point2& b) {
     return square_distance(x, b) - square_distance(x, a);
 }

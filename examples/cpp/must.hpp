@@ -1,4 +1,4 @@
-// What the small examples share: a result that is wrong leaves main() as an exception, with a reason.
+// Check that the small examples share: a result that is wrong leaves main() as an exception, with a reason.
 #ifndef NETMESH_EXAMPLES_MUST_HPP
 #define NETMESH_EXAMPLES_MUST_HPP
 

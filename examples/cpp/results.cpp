@@ -13,7 +13,7 @@ static std::vector<double> two_scales() {
     return points;
 }
 
-// By Green's theorem, from the edges that have no neighbour.
+// Area by Green's theorem, from the edges that have no neighbour.
 static double area_inside_the_hull(const netmesh::mesh &mesh) {
     const auto points = mesh.points();
     const auto simplices = mesh.simplices(), neighbors = mesh.neighbors();

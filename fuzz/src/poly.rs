@@ -10,7 +10,6 @@ pub fn check(data: &[u8]) {
 
 /// Checks a file in both formats; returns true if one was accepted.
 pub fn check_text(text: &[u8]) -> bool {
-    [Format::Poly, Format::Smesh]
-        .into_iter()
-        .fold(false, |was_accepted, format| outlines::check_text(format, text) || was_accepted)
+    let accepted = [Format::Poly, Format::Smesh].map(|format| outlines::check_text(format, text));
+    accepted.contains(&true)
 }

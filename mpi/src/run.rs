@@ -6,10 +6,10 @@ use crate::distributed::{DistributedMesh, Promise};
 use crate::meshing::MAX_DIM;
 use crate::work::{Notes, Step};
 use crate::{meshing, numbering};
-use netmesh::error::{Choice, Message, Name};
+use netmesh::error::{Message, Name};
 use netmesh::mesh::MIN_DIM;
-use netmesh::options::ProgressFn;
-use netmesh::{Algorithm, Error, ErrorKind, Extent, Options, Parameters, Result};
+use netmesh::options::{ProgressFn, Row, TABLE, Value};
+use netmesh::{Error, ErrorKind, Extent, Options, Parameters, Result};
 
 /// Collective. Meshes the points of all ranks, `dim` coordinates each; a rank may have none.
 ///
@@ -68,40 +68,30 @@ fn check_points(dim: usize, points: &[f64]) -> Result<()> {
     Err(Error::new(ErrorKind::NonFinite, message))
 }
 
-/// An option that meshes of several ranks do not have, and what is said where others are asked for.
-/// The header and `netmesh-mpi --help` list them.
-type Refusal = (&'static str, fn(&Options) -> Option<Message>);
-
-const REFUSED: [Refusal; 6] = [
-    ("algorithm", |options| {
-        let algorithm = options.algorithm;
-        (algorithm != Algorithm::Netmesh).then(|| refused(Choice::Algorithm(algorithm)))
-    }),
-    ("extent", |options| {
-        let is_cropped = !matches!(options.extent, Extent::Auto | Extent::All);
-        is_cropped.then(|| refused(Choice::Extent(options.extent)))
-    }),
-    ("instruments", |options| options.instruments.then(|| refused(Name::Instruments))),
-    ("max_edge", |options| refused_number(Name::MaxEdge, options.max_edge)),
-    ("distance_ratio", |options| refused_number(Name::DistanceRatio, options.distance_ratio)),
-    ("min_dihedral", |options| refused_number(Name::MinDihedral, options.min_dihedral)),
-];
-
-fn refused(name: impl Into<Name>) -> Message {
-    Message::about(name, " is not for meshes of several ranks")
-}
-
-fn refused_number(name: Name, value: f64) -> Option<Message> {
-    let rule = || format!(" is {value}; it must be 0 for meshes of several ranks");
-    (value != 0.0).then(|| Message::about(name, rule()))
-}
-
-/// Refuses what only one process can do.
+/// Refuses the first option that only one process has, where another value than its default is
+/// asked for. The header and `netmesh-mpi --help` list these options.
 fn check_options(options: &Options) -> Result<()> {
-    match REFUSED.iter().find_map(|(_, refusal)| refusal(options)) {
+    let defaults = Options::default();
+    // No segments are there to enclose anything: an automatic extent is all.
+    let extent = match options.extent {
+        Extent::All => defaults.extent,
+        other => other,
+    };
+    let asked = Options { extent, ..options.clone() };
+    let mut refused = TABLE.iter().filter(|row| !row.on_ranks);
+    match refused.find(|row| row.get(&asked) != row.get(&defaults)) {
         None => Ok(()),
-        Some(message) => Err(Error::invalid(message)),
+        Some(row) => Err(Error::invalid(refusal(row, &asked))),
     }
+}
+
+/// Returns the sentence about an option that meshes of several ranks do not have.
+fn refusal(row: &Row, asked: &Options) -> Message {
+    let rest = match row.get(asked) {
+        Value::Number(value) => format!(" is {value}; it must be 0 for meshes of several ranks"),
+        _ => " is not for meshes of several ranks".to_owned(),
+    };
+    Message::about(Name::of(row, asked), rest)
 }
 
 /// Collective. Returns the bytes that all ranks have sent, and the most of one.
@@ -115,27 +105,28 @@ pub fn bytes_sent(comm: &dyn Communicator, mesh: &DistributedMesh) -> Result<(u6
 
 #[cfg(test)]
 mod tests {
-    use super::REFUSED;
+    use netmesh::options::TABLE;
 
-    /// Returns the names in a list that is between two phrases of a text.
+    /// Returns the names of options in a list that is between two phrases of a text.
     fn listed(text: &str, from: &str, to: &str) -> Vec<String> {
         let rest = text.split_once(from).map(|(_, rest)| rest).expect("the list begins");
         let list = rest.split_once(to).map(|(list, _)| list).expect("the list ends");
         let mut names: Vec<_> = list
             .split(|c: char| !(c.is_ascii_lowercase() || c == '_'))
-            .filter(|word| *word == "size" || REFUSED.iter().any(|(name, ..)| name == word))
+            .filter(|word| *word == "size" || TABLE.iter().any(|row| row.name == *word))
             .map(str::to_owned)
             .collect();
         names.sort();
         names
     }
 
-    /// Compares the header's list with the refusals; that of the function of sizes is in `capi`,
+    /// Compares the header's list with the table; that of the function of sizes is in `capi`,
     /// which alone knows it.
     #[test]
     fn the_header_lists_every_refusal() {
         let header = include_str!("../include/netmesh_mpi.h");
-        let mut expected: Vec<_> = REFUSED.iter().map(|(name, ..)| name.to_string()).collect();
+        let refused = TABLE.iter().filter(|row| !row.on_ranks);
+        let mut expected: Vec<_> = refused.map(|row| row.name.to_owned()).collect();
         expected.push("size".to_owned());
         expected.sort();
         assert_eq!(listed(header, "Always refused: ", "Errors"), expected);

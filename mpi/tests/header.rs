@@ -15,7 +15,7 @@ fn header() -> String {
 #[test]
 fn the_header_is_what_cbindgen_makes() {
     let config = cbindgen::Config::from_file(root().join("cbindgen.toml")).unwrap();
-    // By file: the functions of the C layer are declared elsewhere in the crate.
+    // Sources by name: the functions of the C layer are declared elsewhere in the crate.
     let sources = ["structs", "run", "getters", "validate", "export"];
     let builder =
         sources.iter().fold(cbindgen::Builder::new().with_config(config), |builder, name| {

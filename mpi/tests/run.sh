@@ -147,7 +147,7 @@ apart_test() {
   [ -z "$(ls -A elsewhere)" ] || fail "ranks elsewhere leave $(ls -A elsewhere)"
   [ "$(ls -A | tr '\n' ' ')" = 'changed elsewhere in.xyz other.xyz shorter there ' ] || fail "ranks leave $(ls -A)"
 
-  # What may differ, and what is wrong before anything is read.
+  # Arguments that may differ, and those that are wrong before anything is read.
   ranks 1 "$programs/netmesh-mpi" in.xyz -q -o x.npy --threads 1 : -np 1 "$programs/netmesh-mpi" in.xyz -q -o x.npy --threads 2
   for number in 2 3 4; do
     refused 8 'x_0.vtu: cannot create' "$number" absent.xyz -o /proc/x.pvtu

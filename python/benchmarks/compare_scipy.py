@@ -34,7 +34,7 @@ class Rows:
         print(f"\n{texts[0]:44} {texts[1]:>11} {texts[2]:>11}   {texts[3]}", flush=True)
 
     def add(self, name, first, second, count=None, *, asked=None, repeat=None):
-        """Of `count` things each. If the second call is `asked` for fewer its time is multiplied."""
+        """Times calls of `count` things each. If the second call is `asked` for fewer its time is multiplied."""
         if self.only not in name:
             return
         rounds = range(repeat or self.repeat)

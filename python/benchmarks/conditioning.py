@@ -1,4 +1,4 @@
-"""What a mesh is worth to those who solve on it:
+"""Worth of a mesh to those who solve on it:
 
     python conditioning.py [--inputs N] MESH.node [MESH.node ...]
 
@@ -62,14 +62,14 @@ def inner_vertices(points, simplices):
 
 
 def largest_eigenvalue(matrix):
-    """Of a symmetric matrix, to six digits."""
+    """Largest eigenvalue of a symmetric matrix, to six digits."""
     start = np.random.default_rng(1).random(matrix.shape[0])
     found = scipy.sparse.linalg.eigsh(matrix, k=1, which="LA", v0=start, tol=1e-6)
     return float(found[0][0])
 
 
 def iterations(matrix, right, inverse_diagonal=None, part=1e-8):
-    """How many steps conjugate gradients take from zero, and what they find."""
+    """Number of steps that conjugate gradients take from zero, and what they find."""
     scale = np.ones(len(right)) if inverse_diagonal is None else inverse_diagonal
     solution, residual = np.zeros(len(right)), right.copy()
     direction = scale * residual

@@ -262,6 +262,8 @@ impl Core {
         detached_on_file(py, &path, || {
             let part = self.prepared.part(&self.mesh, &selection)?;
             let (mesh, attributes) = part.to_mesh(self.mesh.inputs(), &attributes)?;
+            let markers = &self.mesh.facets_of_result().markers;
+            let mesh = mesh.with_facet_markers(markers.to_vec());
             let mesh = mesh.with_markers(self.mesh.markers_of_result().to_vec());
             write_file_with(&mesh, &attributes, &path, format)
         })

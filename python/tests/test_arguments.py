@@ -113,7 +113,7 @@ def test_views_take_arrays_by_the_same_way(mesh):
 
 
 def test_masked_axes_are_no_points():
-    # What is under the mask made a value of 25.75 once.
+    # The number under the mask made a value of 25.75 once.
     x, y, v = np.ma.array([0, 1, 0, 1, 100.0], mask=[0, 0, 0, 0, 1]), [0, 0, 1, 1, 0.5], [0, 1, 2, 3, 100]
     with pytest.raises(netmesh.InvalidArgumentError, match=r"^points\[0\] has masked elements"):
         netmesh.LinearNDInterpolator((x, y), v)
@@ -131,7 +131,7 @@ def test_nothing_else_makes_arrays_of_arguments():
             is_call = isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute)
             if is_call and ast.unparse(node.func.value) == "np" and node.func.attr in makers:
                 found.append((path.name, ast.unparse(node)))
-    # What is made contiguous here has come in by that way.
+    # The array that is made contiguous here has come in by that way.
     allowed = {("_interpolator.py", "np.ascontiguousarray(xi.reshape(-1, ndim))")}
     assert {name for name, _ in found} == {"_arrays.py", "_interpolator.py"}
     assert {call for call in found if call[0] != "_arrays.py"} == allowed

@@ -60,7 +60,7 @@ def test_a_grid_is_the_five_point_stencil(conditioning):
     assert np.allclose(right, 1 / (n + 1) ** 2)
     steps, solution = conditioning.iterations(matrix, right)
     assert steps == plain and np.allclose(solution, np.linalg.solve(stencil, right), rtol=1e-6)
-    # Of -div grad u = 1 in the unit square the largest value is 0.0737.
+    # The largest value of -div grad u = 1 in the unit square is 0.0737.
     assert abs(solution.max() - 0.0737) < 0.002
 
 

@@ -18,7 +18,7 @@ pytestmark = pytest.mark.skipif(
     reason="fesetround's numbers are known for Linux on x86-64 and aarch64",
 )
 
-# What compilers before GCC 13 linked into every shared object that was made with -Ofast.
+# Code that compilers before GCC 13 linked into every shared object that was made with -Ofast.
 FAST = """
 #if defined(__x86_64__)
 #include <xmmintrin.h>

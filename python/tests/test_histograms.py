@@ -8,7 +8,7 @@ import pytest
 
 
 def counted(m, hull):
-    """Which simplices count."""
+    """Mask of the simplices that count."""
     on_hull = np.zeros(len(m.points), dtype=bool)
     on_hull[m.hull.vertices] = True
     return np.full(len(m.simplices), hull) | ~on_hull[m.simplices].any(axis=1)

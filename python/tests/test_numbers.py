@@ -13,7 +13,7 @@ def repeated(random, n, dim):
 
 
 def firsts(points):
-    """Of each point the first that equals it."""
+    """Number of the first point that equals each."""
     _, first, inverse = np.unique(points, axis=0, return_index=True, return_inverse=True)
     return first[inverse.reshape(-1)]
 
@@ -45,7 +45,7 @@ def test_the_nearest_input_is_that_of_scipy(dim, random):
         assert (found == firsts(points)[theirs]).all()
         vertices, _ = m.nearest(x)
         assert (vertices == scipy.spatial.cKDTree(m.points).query(x)[1]).all()
-    # Of inputs that are equally near the first.
+    # The first of inputs that are equally near.
     square = [[1, 1], [0, 0], [1, 0], [0, 0], [0, 1], [1, 1]]
     m = netmesh.mesh(square, algorithm="delaunay")
     assert m.nearest([[0.5, 0.5], [0, 0], [1, 0.5]], among="inputs")[0].tolist() == [0, 1, 0]

@@ -56,7 +56,7 @@ def chains_are_whole(mesh, points, segments):
     lengths = np.linalg.norm(np.diff(mesh.points[pieces], axis=1)[:, 0], axis=1)
     whole = np.bincount(parents, lengths, len(segments))
     wanted = np.linalg.norm(points[segments[:, 1]] - points[segments[:, 0]], axis=1)
-    # Where segments overlap, the first one has the pieces.
+    # The first of segments that overlap has the pieces.
     assert (whole <= wanted * (1 + 1e-9)).all()
     assert np.isclose(whole, wanted).mean() > 0.99
 

@@ -209,7 +209,7 @@ def test_a_signal_ends_the_wait_for_what_the_library_cannot_stop(random, alarm):
                 break
         else:
             pytest.fail(f"{seconds} of {whole_seconds} seconds")
-    # What another thread had begun is there.
+    # The work that another thread had begun is there.
     m = mesh()
     seconds_until_alarm(lambda: m.locate(x), 0.001)
     assert (m.locate(x) == whole.locate(x)).all()

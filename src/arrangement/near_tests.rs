@@ -95,6 +95,27 @@ fn a_gap_is_a_gap() {
     assert!(arrangement.is_err_and(|error| error.message().contains("cross near")));
 }
 
+/// Vertices some units beside an upright or a level segment follow each other along it, though they go
+/// back on the other axis, on which the segment is a few units long.
+#[test]
+fn vertices_follow_the_axis_on_which_a_segment_is_longest() {
+    let unit = f64::EPSILON;
+    let upright = [[1.0, 1.0], [1.0 + 2.0 * unit, 9.0], [1.0 + unit, 3.0], [1.0, 6.0]];
+    for points in [upright, upright.map(|[x, y]| [y, x])] {
+        for ends in [[0, 1], [1, 0]] {
+            let arrangement = arranged(&points, &[ends], Crossings::Refuse).unwrap();
+            let chain: Vec<[u32; 2]> =
+                arrangement.subsegments.iter().map(|piece| piece.ends).collect();
+            let mut expected = vec![[0, 2], [2, 3], [3, 1]];
+            if ends == [1, 0] {
+                expected.reverse();
+                expected.iter_mut().for_each(|piece| piece.reverse());
+            }
+            assert_eq!(chain, expected, "{points:?}");
+        }
+    }
+}
+
 /// Segments that end some units beyond another segment or before it do not cross it, in both modes.
 #[test]
 fn junctions_are_no_crossings() {

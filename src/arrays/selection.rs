@@ -120,7 +120,7 @@ impl<'a> Part<'a> {
             cage_of: collected(kept.iter().map(|&v| mesh.cage_of[v as usize]))?,
             domains: copied(&mesh.domains)?,
             precision_limited: collected(kept.iter().map(|&v| mesh.precision_limited[v as usize]))?,
-            boundary: Boundary::of_part(mesh, &new_vertex, &ids)?,
+            boundary: Boundary::of_part(mesh, [&new_vertex, &new_simplex], &ids)?,
             sizes: collected(kept.iter().filter_map(|&v| mesh.sizes.get(v as usize)).copied())?,
             below_min_dihedral: renumbered(&mesh.below_min_dihedral, &new_simplex)?,
             beyond_bound: match mesh.parameters.criterion {

@@ -147,8 +147,9 @@ unsafe fn with_selected(
             let attributes = prepared.vertex_attributes(mesh)?;
             let part = prepared.part(mesh, &selection)?;
             let markers = copied(mesh.markers_of_result())?;
+            let of_facets = copied(&mesh.facets_of_result().markers)?;
             let (mesh, attributes) = part.to_mesh(mesh.inputs(), attributes)?;
-            body(&mesh.with_markers(markers), &attributes)
+            body(&mesh.with_markers(markers).with_facet_markers(of_facets), &attributes)
         })
     }
 }

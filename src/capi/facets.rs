@@ -305,9 +305,10 @@ mod tests {
     use crate::mesh::{Mesh, NONE};
     use std::ptr::{null, null_mut};
 
-    /// Corners of the unit cube; the last coordinate of the input changes first.
+    /// Returns a mesh of the corners of the unit cube, of which the last coordinate changes first.
     fn cube() -> Mesh {
-        let points: Vec<f64> = (0..24).map(|at| f64::from(at / 3 >> (2 - at % 3) & 1)).collect();
+        let points: Vec<f64> =
+            (0..24).map(|at| f64::from(((at / 3) >> (2 - at % 3)) & 1)).collect();
         Mesh::new(3, 8, &points, 0).unwrap()
     }
 

@@ -310,7 +310,7 @@ mod tests {
         use crate::capi::test_support::from_c;
         let name = format!("netmesh-{}-left-out.off", std::process::id());
         let path = std::env::temp_dir().join(name);
-        std::fs::write(&path, "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n2 0 1\n").unwrap();
+        std::fs::write(&path, "nOFF\n2\n3 2 0\n0 0\n1 0\n0 1\n3 0 1 2\n2 0 1\n").unwrap();
         let text = std::ffi::CString::new(path.to_str().unwrap()).unwrap();
         let mut mesh = null_mut();
         let format = from_c(nm_format::NM_FORMAT_AUTO as i32);

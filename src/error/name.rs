@@ -1,7 +1,7 @@
 //! Names in messages: options, their values, and other things that a caller has given.
 
 pub use crate::options::Choice;
-use crate::options::{Chosen, each_option};
+use crate::options::{Chosen, Options, Row, each_option};
 use std::fmt::{self, Display, Formatter};
 
 macro_rules! declare_names {
@@ -53,6 +53,18 @@ macro_rules! declare_names {
     };
 }
 each_option!(declare_names);
+
+impl Name {
+    /// Returns the name of a row's option, with its value among `options` where that has a word.
+    ///
+    /// # Panics
+    /// If the row is none of the table's.
+    pub fn of(row: &Row, options: &Options) -> Self {
+        let is_of_row = |name: &&Self| name.option() == Some(row.name);
+        let option = || *Self::OPTIONS.iter().find(is_of_row).expect("a row of the table");
+        row.choice(options).map_or_else(option, Self::Chosen)
+    }
+}
 
 impl From<Choice> for Name {
     fn from(choice: Choice) -> Self {

@@ -1,7 +1,7 @@
 //! Boundaries: segments between inputs, seeds of regions, and arrangements of segments and facets
 //! without crossings.
 
-use super::{ArrangedFacet, Boxed, FacetTriangle, Inputs, Mesh, Triangulation};
+use super::{ArrangedFacet, Boxed, FacetTriangle, Inputs, Mesh, NONE, Triangulation};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, Lists, collected, copied, filled, with_capacity};
 use std::ops::RangeInclusive;
@@ -201,11 +201,11 @@ impl Boundary {
         Ok(is_edge)
     }
 
-    /// Returns the boundary of a part of `mesh`: some of its simplices, whose vertices get new
-    /// numbers.
+    /// Returns the boundary of a part of `mesh`: some of its simplices, which get new numbers, and
+    /// so do vertices; [`NONE`] stands for those that are not in the part.
     pub(crate) fn of_part(
         mesh: &Triangulation,
-        new_vertex: &[u32],
+        [new_vertex, new_simplex]: [&[u32]; 2],
         simplices: &[u32],
     ) -> AllocResult<Self> {
         let all = &mesh.boundary;
@@ -214,14 +214,24 @@ impl Boundary {
         let kept = || (0..is_edge.len()).filter(|&at| is_edge[at]);
         let new_ends = |at: usize| all.subsegments[at].map(|vertex| new_vertex[vertex as usize]);
         let regions = |&simplex: &u32| all.simplex_regions.get(simplex as usize).copied();
-        let is_forced = |simplex: &u32| all.forced.binary_search(simplex).is_ok();
-        let numbered = simplices.iter().zip(0u32..).filter(|&(simplex, _)| is_forced(simplex));
+        let new = |simplex: u32| new_simplex.get(simplex as usize).copied().unwrap_or(NONE);
+        let numbered = |old: &[u32]| {
+            collected(old.iter().map(|&simplex| new(simplex)).filter(|&simplex| simplex != NONE))
+        };
+        // Those of which the part has a side.
+        let sides = || all.subfacet_simplices.iter().map(|sides| sides.map(new));
+        let kept_facets = || sides().enumerate().filter(|(_, sides)| *sides != [NONE; 2]);
+        let new_corners = |at: usize| all.subfacets[at].map(|vertex| new_vertex[vertex as usize]);
         Ok(Self {
             subsegments: collected(kept().map(new_ends))?,
             parents: collected(kept().map(|at| all.parents[at]))?,
             simplex_regions: collected(simplices.iter().filter_map(regions))?,
-            forced: collected(numbered.map(|(_, new)| new))?,
-            ..Self::default()
+            forced: numbered(&all.forced)?,
+            flat: numbered(&all.flat)?,
+            subfacets: collected(kept_facets().map(|(at, _)| new_corners(at)))?,
+            subfacet_parents: collected(kept_facets().map(|(at, _)| all.subfacet_parents[at]))?,
+            subfacet_simplices: collected(kept_facets().map(|(_, sides)| sides))?,
+            whole: None,
         })
     }
 }
@@ -362,6 +372,7 @@ fn check_segment(inputs: &Inputs, at: usize, ends: [u32; 2]) -> Result<()> {
 mod tests {
     use super::*;
     use crate::mesh::Mesh;
+    use crate::options::{Algorithm, Options};
 
     /// Returns a mesh of four inputs, of which the last is a duplicate of the first.
     fn mesh() -> Mesh {
@@ -436,6 +447,33 @@ mod tests {
             assert!(message.starts_with("regions[0].max_edge is"), "{message}");
         }
         assert_eq!(mesh.regions(), [good]);
+    }
+
+    #[test]
+    fn a_part_has_the_facets_of_its_simplices() {
+        let points = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0];
+        let mut mesh = Mesh::new(3, 5, &points, 0).unwrap();
+        let options = Options { algorithm: Algorithm::Delaunay, ..Options::default() };
+        mesh.run(&options, None).unwrap();
+        let mut made = mesh.triangulation().unwrap().clone();
+        assert_eq!(made.simplex_count(), 2);
+        let outer = u32::from(made.simplex(0).contains(&0));
+        let inner = 1 - outer;
+        made.boundary = Boundary {
+            subfacets: vec![[1, 2, 3], [0, 1, 2], [1, 2, 4]],
+            subfacet_parents: vec![4, 5, NONE],
+            subfacet_simplices: vec![[outer, inner], [NONE, inner], [outer, NONE]],
+            flat: vec![outer],
+            forced: vec![inner],
+            ..Boundary::default()
+        };
+        let (new_vertex, mut new_simplex) = ([NONE, 0, 1, 2, 3], [NONE; 2]);
+        new_simplex[outer as usize] = 0;
+        let part = Boundary::of_part(&made, [&new_vertex, &new_simplex], &[outer]).unwrap();
+        assert_eq!(part.subfacets, [[0, 1, 2], [0, 1, 3]]);
+        assert_eq!(part.subfacet_parents, [4, NONE]);
+        assert_eq!(part.subfacet_simplices, [[0, NONE]; 2]);
+        assert_eq!((part.flat, part.forced), (vec![0], vec![]));
     }
 
     #[test]

@@ -36,7 +36,7 @@ use crate::mesh::{Arrangement, Inputs, Triangulation, in_dimension};
 use crate::netmesh::state::Mesher;
 use crate::netmesh::state::sizes::Sizes;
 use crate::options::{Algorithm, Options, Output, ProgressFn, SizeFn};
-use crate::parameters::{Parameters, check_region_sizes, output_for, with_segments};
+use crate::parameters::{Parameters, check_region_sizes, output_for, with_facets, with_segments};
 pub(crate) use state::watch::Watch;
 use std::time::Instant;
 
@@ -116,10 +116,13 @@ pub fn run_sized(
     let options = &Options { output, ..options.clone() };
     let parameters = match &arrangement {
         None => Parameters::resolve(inputs.dim(), options)?,
-        Some(_) => Parameters {
+        Some(arrangement) => Parameters {
             // What is outside is not refined, and a partition does not know what is.
             inputs_per_partition: None,
-            ..Parameters::resolve(inputs.dim(), &with_segments(options)?)?
+            ..match arrangement.facets.is_empty() {
+                true => Parameters::resolve(inputs.dim(), &with_segments(options)?)?,
+                false => with_facets(options)?,
+            }
         },
     };
     if by_region {

@@ -201,6 +201,10 @@ macro_rules! choices {
                     let Value::Word(number) = value else { return None };
                     Self::VALUES.get(number).copied()
                 }
+
+                fn choice(self) -> Option<Choice> {
+                    Some(Choice::$type(self))
+                }
             }
         )*
     };

@@ -4,7 +4,8 @@
 
 use super::Options;
 use super::choices::{
-    Algorithm, Choices, Criterion, Crossings, Extent, GivesWay, Interior, NetOrdering, Output,
+    Algorithm, Choice, Choices, Criterion, Crossings, Extent, GivesWay, Interior, NetOrdering,
+    Output,
 };
 
 /// Calls the macro `$then` with the rows of the table, in the order of `nm_options`.
@@ -193,6 +194,7 @@ pub struct Row {
     /// Sentences that explain the option, with names of options between backticks.
     pub help: &'static str,
     pub(super) get: fn(&Options) -> Value,
+    pub(super) choice: fn(&Options) -> Option<Choice>,
     pub(super) set: fn(&mut Options, Value) -> bool,
 }
 
@@ -284,6 +286,11 @@ pub(crate) trait OptionValue: Sized {
 
     /// Returns the value of a field; `None` if it is of another type or out of the type's range.
     fn from_value(value: Value) -> Option<Self>;
+
+    /// Returns the option with this value, if it has words for its values.
+    fn choice(self) -> Option<Choice> {
+        None
+    }
 }
 
 macro_rules! option_values {
@@ -332,6 +339,7 @@ macro_rules! declare_table {
             on_ranks: $on_ranks,
             help: $help,
             get: |options| options.$field.to_value(),
+            choice: |options| options.$field.choice(),
             set: |options, value| {
                 OptionValue::from_value(value).map(|value| options.$field = value).is_some()
             },
@@ -349,6 +357,11 @@ impl Row {
     /// Returns the option's value among `options`.
     pub fn get(&self, options: &Options) -> Value {
         (self.get)(options)
+    }
+
+    /// Returns the option with its value among `options`, if it has words for its values.
+    pub fn choice(&self, options: &Options) -> Option<Choice> {
+        (self.choice)(options)
     }
 
     /// Gives the option a value among `options`.

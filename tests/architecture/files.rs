@@ -453,7 +453,7 @@ impl<'ast> Visit<'ast> for Reader<'_> {
     }
 
     fn visit_item_use(&mut self, item: &'ast syn::ItemUse) {
-        // What a file only passes on is used by those who take it from there.
+        // Names that a file only passes on are used by those who take them from there.
         if matches!(item.vis, syn::Visibility::Inherited) {
             let mut paths = Vec::new();
             flatten(&item.tree, Vec::new(), &mut paths);

@@ -34,7 +34,7 @@ fn table(heading: &str) -> Vec<(String, Vec<String>)> {
     .collect()
 }
 
-/// What stands between backticks.
+/// Returns the texts between backticks.
 fn quoted(text: &str) -> Vec<String> {
     text.split('`').skip(1).step_by(2).map(str::to_owned).collect()
 }

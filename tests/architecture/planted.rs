@@ -30,7 +30,7 @@ const VALIDATE: &str = "
     mod tests { use crate::netmesh::run; }
 ";
 
-/// What the modules of that crate use if `planted` stands in `validate/cages.rs`.
+/// Returns the uses between the modules of that crate if `planted` stands in `validate/cages.rs`.
 fn uses_with(planted: &str) -> Layers {
     uses(&[
         Source::parse("lib.rs", LIBRARY),

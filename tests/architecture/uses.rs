@@ -1,4 +1,4 @@
-//! Which top-level module of a crate uses which, read from its parsed sources, tests apart: by
+//! Uses between the top-level modules of a crate, read from its parsed sources, tests apart: by
 //! paths from the root and past it by `super`, by names that the root or another module re-exports,
 //! and by calls of methods that another module alone defines.
 
@@ -141,7 +141,7 @@ pub fn is_standard(method: &str) -> bool {
     STANDARD.contains(&method)
 }
 
-/// What the sources of a crate define that another module may use unseen.
+/// Definitions in the sources of a crate that another module may use unseen.
 #[derive(Default)]
 struct Definitions {
     modules: BTreeSet<String>,
@@ -152,7 +152,7 @@ struct Definitions {
     traits: BTreeSet<String>,
 }
 
-/// Which module uses which.
+/// Returns the modules that each module uses.
 ///
 /// # Panics
 /// If a path from the root names neither a module nor what the root re-exports.
@@ -324,7 +324,7 @@ impl Reader<'_> {
         let Some(owner) = self.definitions.owner(&self.modules, path) else {
             panic!("{}: name the module: {}", self.path, path.join("::"));
         };
-        // What the module only passes on belongs to another one.
+        // Names that the module only passes on belong to another one.
         let passed_on = rest.get(1).map(|name| (owner.clone(), name.clone()));
         let passed_on = passed_on.and_then(|key| self.definitions.exports.get(&key));
         self.used.extend(passed_on.cloned());

@@ -1,4 +1,4 @@
-// What netmesh.hpp adds to the C interface: ownership, exceptions, vectors. Argument: a directory.
+// Additions of netmesh.hpp to the C interface: ownership, exceptions, vectors. Argument: a directory.
 
 #include <cstdint>
 #include <iostream>

@@ -2,7 +2,7 @@
 //! simplices at facets.
 
 use super::facets::{corrupted, remove_subfacet};
-use super::shapes::{boxes, cube, shell, wedge};
+use super::shapes::{boxes, cube, shell, turned_cube, wedge};
 use netmesh::Region;
 use netmesh::options::{Extent, Interior};
 use netmesh::validate::ViolationKind as Kind;
@@ -10,7 +10,7 @@ use netmesh::validate::ViolationKind as Kind;
 #[test]
 fn labels_that_are_not_their_regions() {
     let solid = boxes();
-    for simplex in (0..solid.clone().whole().simplex_count()).step_by(7) {
+    for simplex in (0..solid.clone().whole().simplex_count()).step_by(97) {
         corrupted(&solid, Kind::RegionLabel, |mesh| mesh.boundary.simplex_regions[simplex] += 1);
     }
     corrupted(&solid, Kind::RegionLabel, |mesh| {
@@ -89,6 +89,10 @@ fn surfaces_tell_what_is_inside() {
 fn flat_simplices_that_are_not() {
     corrupted(&cube(), Kind::FlatSimplex, |mesh| mesh.boundary.flat = vec![1]);
     corrupted(&boxes(), Kind::FlatSimplex, |mesh| mesh.boundary.flat = vec![0, 3]);
+    let solid = turned_cube(4);
+    for at in (0..solid.clone().whole().boundary.flat.len()).step_by(5) {
+        corrupted(&solid, Kind::FlatSimplex, |mesh| _ = mesh.boundary.flat.remove(at));
+    }
 }
 
 #[test]

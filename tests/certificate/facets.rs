@@ -1,6 +1,6 @@
 //! Corruptions of facets in space.
 
-use super::shapes::{at, boxes, cube, grid, sheet, triangulated_cube};
+use super::shapes::{at, boxes, cube, grid, sheet, triangulated_cube, turned_cube};
 use super::solids::{Solid, facets_of};
 use netmesh::mesh::Boxed;
 use netmesh::validate::{ViolationKind as Kind, validate};
@@ -11,6 +11,9 @@ fn solids_hold() {
     cube().assert_sound(3);
     boxes().assert_sound(3);
     triangulated_cube().assert_sound(3);
+    let turned = turned_cube(4);
+    assert!(!turned.clone().whole().boundary.flat.is_empty());
+    turned.assert_sound(3);
 }
 
 pub fn corrupted(solid: &Solid, kind: Kind, corrupt: impl FnOnce(&mut Triangulation)) {
@@ -19,7 +22,7 @@ pub fn corrupted(solid: &Solid, kind: Kind, corrupt: impl FnOnce(&mut Triangulat
     solid.assert_violates(kind);
 }
 
-/// As [`corrupted`], with the simplices of the subfacets as they are then.
+/// Does as [`corrupted`], with the simplices of the subfacets as they are then.
 fn refaced(solid: &Solid, kind: Kind, corrupt: impl FnOnce(&mut Triangulation)) {
     let mut solid = solid.clone();
     solid.corrupt(corrupt);
@@ -41,9 +44,9 @@ fn remove_subsegment(mesh: &mut Triangulation, at: usize) {
 #[test]
 fn arrays_that_do_not_fit() {
     let corruptions: [fn(&mut Triangulation); 13] = [
-        |mesh| drop(mesh.boundary.subfacet_parents.pop()),
-        |mesh| drop(mesh.boundary.subfacet_simplices.pop()),
-        |mesh| drop(mesh.boundary.simplex_regions.pop()),
+        |mesh| _ = mesh.boundary.subfacet_parents.pop(),
+        |mesh| _ = mesh.boundary.subfacet_simplices.pop(),
+        |mesh| _ = mesh.boundary.simplex_regions.pop(),
         |mesh| mesh.boundary.subfacet_parents[1] = 9,
         |mesh| mesh.boundary.subfacet_parents[0] = 1,
         |mesh| *mesh.boundary.subfacet_parents.last_mut().unwrap() = NONE,
@@ -93,7 +96,7 @@ fn facets_out_of_space() {
 fn subfacets_with_other_simplices() {
     let solid = boxes();
     let kind = Kind::SubfacetSimplices;
-    for at in 0..solid.clone().whole().boundary.subfacets.len() {
+    for at in (0..solid.clone().whole().boundary.subfacets.len()).step_by(17) {
         corrupted(&solid, kind, |mesh| mesh.boundary.subfacet_simplices[at].reverse());
         corrupted(&solid, kind, |mesh| mesh.boundary.subfacet_simplices[at][0] ^= 1);
     }
@@ -110,12 +113,12 @@ fn subfacets_with_other_simplices() {
 #[test]
 fn domains_that_are_no_part_of_the_whole() {
     let corruptions: [fn(&mut Triangulation); 9] = [
-        |mesh| drop(mesh.boundary.subsegments.pop()),
-        |mesh| drop(mesh.boundary.parents.pop()),
+        |mesh| _ = mesh.boundary.subsegments.pop(),
+        |mesh| _ = mesh.boundary.parents.pop(),
         |mesh| mesh.boundary.parents[1] = 1,
-        |mesh| drop(mesh.boundary.subfacets.pop()),
-        |mesh| drop(mesh.boundary.subfacet_parents.pop()),
-        |mesh| drop(mesh.boundary.subfacet_simplices.pop()),
+        |mesh| _ = mesh.boundary.subfacets.pop(),
+        |mesh| _ = mesh.boundary.subfacet_parents.pop(),
+        |mesh| _ = mesh.boundary.subfacet_simplices.pop(),
         |mesh| mesh.boundary.subfacet_parents[1] = 1,
         |mesh| mesh.boundary.subfacet_simplices[0] = [5, 6],
         |mesh| mesh.boundary.flat.push(0),
@@ -126,6 +129,12 @@ fn domains_that_are_no_part_of_the_whole() {
         let first = solid.report(3).first.unwrap();
         assert_eq!(first.kind, Kind::DomainArrays, "{number}");
     }
+    // Where the whole has no boundary the domain has none.
+    let mut bare = boxes();
+    let ends = bare.case.mesh.boundary.subsegments[0];
+    bare.corrupt(|mesh| mesh.boundary = Default::default());
+    bare.case.mesh.boundary.subsegments = vec![ends];
+    bare.assert_violates(Kind::DomainArrays);
     // What is outside may not be there.
     let mut solid = boxes();
     let whole = solid.whole().boundary.clone();
@@ -168,7 +177,7 @@ fn a_subsegment_that_is_no_edge() {
 fn chains_that_are_none() {
     let solid = boxes();
     let count = solid.clone().whole().boundary.subsegments.len();
-    for at in 0..count {
+    for at in (0..count).step_by(5) {
         corrupted(&solid, Kind::SegmentChain, |mesh| remove_subsegment(mesh, at));
     }
     corrupted(&solid, Kind::SegmentChain, |mesh| mesh.boundary.subsegments[0].reverse());
@@ -209,7 +218,7 @@ fn a_subfacet_turned_round() {
 #[test]
 fn facets_that_are_not_tiled() {
     for solid in [cube(), triangulated_cube(), boxes()] {
-        for at in 0..solid.clone().whole().boundary.subfacets.len() {
+        for at in (0..solid.clone().whole().boundary.subfacets.len()).step_by(7) {
             corrupted(&solid, Kind::FacetTiling, |mesh| remove_subfacet(mesh, at));
         }
     }
@@ -307,7 +316,7 @@ fn triangles_that_are_no_facet() {
         parents.iter_mut().filter(|parent| **parent == 6).for_each(|parent| *parent = 7);
     });
     // Sides of the cube without an edge between them.
-    for at in 0..12 {
+    for at in (0..12).step_by(5) {
         corrupted(&solid, Kind::FacetGroup, |mesh| remove_subsegment(mesh, at));
     }
     // In the direction of its neighbour.
@@ -316,7 +325,21 @@ fn triangles_that_are_no_facet() {
     turned.assert_violates(Kind::FacetGroup);
 }
 
-/// Without the caller's facets less is asked, but that facets end at subsegments is.
+/// Holds that a segment's own chain is refused where it is far from the segment.
+#[test]
+fn a_chain_that_leads_away_from_its_segment() {
+    let points = grid([6, 5, 5]);
+    let mut solid = boxes();
+    let [corner, end] = [[4.0, 2.0, 3.0], [4.0, 2.0, 2.0]].map(|point| at(&points, point));
+    solid.segments.inputs[0][1] = end;
+    solid.corrupt(|mesh| {
+        mesh.boundary.subsegments.insert(2, [corner, end]);
+        mesh.boundary.parents.insert(2, 0);
+    });
+    solid.assert_violates(Kind::SegmentLine);
+}
+
+/// Holds that less is asked without the caller's facets, but that facets end at subsegments is.
 #[test]
 fn facets_of_which_nothing_is_known_end_at_subsegments() {
     let solid = cube();
@@ -328,4 +351,21 @@ fn facets_of_which_nothing_is_known_end_at_subsegments() {
     let mut fewer = solid.clone();
     fewer.corrupt(|mesh| remove_subsegment(mesh, 4));
     assert_eq!(report(&fewer).first.unwrap().kind, Kind::FacetTiling);
+}
+
+#[test]
+fn facets_that_cannot_be() {
+    for solid in [cube(), triangulated_cube()] {
+        let mut unknown = solid.clone();
+        unknown.facets.inputs[1] = 99;
+        unknown.assert_violates(Kind::FacetGroup);
+        // All of its corners are one input.
+        let mut flat = solid.clone();
+        let corners = if solid.facets.are_triangles { 0..3 } else { 0..4 };
+        flat.facets.inputs[corners].fill(0);
+        assert!(flat.report(2).violations > 0);
+    }
+    let mut flat = cube();
+    flat.facets.inputs[..4].fill(0);
+    flat.assert_violates(Kind::FacetGroup);
 }

@@ -33,8 +33,8 @@ fn a_grid_of_cubes() {
     assert!((quality.worst_radius_edge - 3f64.sqrt() / 2.0).abs() < 1e-12);
 }
 
-/// Of the cells off the hull, of vertices and of cages, by the numerics' circumballs and all
-/// distances.
+/// Returns the aspects of the cells off the hull, of vertices and of cages, by the numerics'
+/// circumballs and all distances.
 pub fn aspects_by_trying<const D: usize>(case: &Case) -> Vec<f64> {
     let mesh = &case.mesh;
     let point = |v: u32| <&[f64; D]>::try_from(mesh.point(v)).unwrap();

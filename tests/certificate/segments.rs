@@ -388,6 +388,16 @@ fn a_subsegment_without_room_need_not_be_gabriel() {
         let kinds = [0, 1, 2].map(|limited| kind(width, y, limited));
         assert_eq!(kinds, [broken, broken, None], "{width}");
     }
+    // The units are those of the coarser axis, here x, also along the other one.
+    let upright = |length: f64| {
+        let unit = 64.0 * unit;
+        let (half, apex) = (0.5 * length * unit, 100.0 - 0.4 * length * unit);
+        let points = [[100.0, 1.0], [100.0, 1.0 + 2.0 * half], [apex, 1.0 + half]];
+        let mut domain = by_hand(&points, 3, &[[0, 1]], &[[0, 1, 0]]);
+        domain.case.mesh.precision_limited[..2].fill(true);
+        kind_by_hand(&domain)
+    };
+    assert_eq!([60.0, 80.0].map(upright), [None, broken]);
 }
 
 #[test]
@@ -540,7 +550,7 @@ fn a_simplex_that_nothing_forces() {
     let mut domain = lake();
     domain.corrupt(|whole| whole.boundary.forced = vec![5]);
     domain.assert_violates(Kind::ForcedSimplex);
-    // Those that would be forced if they were beyond the bound.
+    // Subsegments that would be forced if they were beyond the bound.
     let mut domain = star();
     domain.corrupt(|whole| whole.parameters.quality_bound = 1e9);
     domain.assert_violates(Kind::ForcedSimplex);

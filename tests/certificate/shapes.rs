@@ -40,7 +40,7 @@ pub fn cube() -> Solid {
     Plan { inputs: 8, points, facets, ..Plan::default() }.build(everywhere)
 }
 
-/// The surface of a cube as twelve triangles.
+/// Makes a cube of whose surface the caller gave twelve triangles.
 pub fn triangulated_cube() -> Solid {
     let points = grid([2, 2, 2]);
     let quads = sides(&points, [0.0; 3], [1.0; 3]);
@@ -59,7 +59,7 @@ pub fn triangulated_cube() -> Solid {
     solid
 }
 
-/// A grid of 5 x 4 x 4 cubes, of which 3 x 2 x 2 in the middle are the domain: two boxes that share
+/// Makes a grid of 5 x 4 x 4 cubes, of which 3 x 2 x 2 in the middle are the domain: two boxes that share
 /// a facet, with labels, a facet with a hole, another that hangs from a side, and a segment.
 pub fn boxes() -> Solid {
     let points = grid([6, 5, 5]);
@@ -99,7 +99,7 @@ fn split_sides(points: &[Point], facets: &mut [Vec<Vec<u32>>]) {
     facets[2].push(vec![v(3.0, 1.0, 1.0), v(3.0, 1.0, 2.0)]);
 }
 
-/// A square at the height 1 with vertices in it and on its edges that are no inputs, and vertices
+/// Makes a square at the height 1 with vertices in it and on its edges that are no inputs, and vertices
 /// off it in pairs that mirror each other.
 pub fn sheet() -> Solid {
     let mut random = crate::random::Random::new(5);
@@ -120,7 +120,7 @@ pub fn sheet() -> Solid {
     Plan { points, inputs, facets, ..Plan::default() }.build(everywhere)
 }
 
-/// A box in a box, of a grid; the domain is between them, as surfaces count.
+/// Makes a box in a box, of a grid; the domain is between them, as surfaces count.
 pub fn shell(is_inner_reversed: bool) -> Solid {
     let points = grid([6, 6, 6]);
     let mut facets = sides(&points, [0.0; 3], [5.0; 3]);
@@ -134,7 +134,7 @@ pub fn shell(is_inner_reversed: bool) -> Solid {
     plan.build(|p| (!is_inside(p)).then_some(0))
 }
 
-/// A prism over a triangle with an angle of some degrees, and simplices that are forced.
+/// Makes a prism over a triangle with an angle of some degrees, and simplices that are forced.
 pub fn wedge(degrees: f64, forced: &[u32]) -> Solid {
     let (sine, cosine) = degrees.to_radians().sin_cos();
     let base = [[0.0, 0.0], [1.0, 0.0], [cosine, sine]];
@@ -150,5 +150,57 @@ pub fn wedge(degrees: f64, forced: &[u32]) -> Solid {
     let mut solid = Plan { inputs: 6, points, facets, ..Plan::default() }.build(everywhere);
     solid.corrupt(|mesh| mesh.boundary.forced = forced.to_vec());
     solid.corrupt(|mesh| mesh.parameters.quality_bound = 0.62);
+    solid
+}
+
+/// Makes a grid of `count` points a side on the surface of a cube, turned, so that its sides are plane up
+/// to rounding only, and flat simplices are on some of them. The domain is what is not flat.
+pub fn turned_cube(count: usize) -> Solid {
+    let last = count - 1;
+    let lattice: Vec<[usize; 3]> = (0..count.pow(3))
+        .map(|i| [i % count, i / count % count, i / count / count])
+        .filter(|place| place.iter().any(|&k| k == 0 || k == last))
+        .collect();
+    let rows = [[0.36, 0.48, -0.8], [-0.8, 0.6, 0.0], [0.48, 0.64, 0.6]];
+    let turned = |place: &[usize; 3]| -> Point {
+        rows.map(|row| (0..3).map(|k| row[k] * place[k] as f64 / 3.0).sum::<f64>() + 0.7)
+    };
+    let points: Vec<Point> = lattice.iter().map(turned).collect();
+    let vertex = |place: [usize; 3]| lattice.iter().position(|p| *p == place).unwrap() as u32;
+    let mut facets = Vec::new();
+    let is_on =
+        |place: &[usize; 3], side: usize| place[side / 2] == if side % 2 == 1 { last } else { 0 };
+    for side in 0..6 {
+        let place = |a: usize, b: usize| {
+            let axis = side / 2;
+            let mut place = [if side % 2 == 1 { last } else { 0 }; 3];
+            (place[(axis + 1) % 3], place[(axis + 2) % 3]) =
+                if side % 2 == 1 { (a, b) } else { (b, a) };
+            vertex(place)
+        };
+        let rim = (0..last).map(|k| place(k, 0)).chain((0..last).map(|k| place(last, k)));
+        let back =
+            (0..last).map(|k| place(last - k, last)).chain((0..last).map(|k| place(0, last - k)));
+        let mut facet = vec![rim.chain(back).collect::<Vec<u32>>()];
+        for a in 1..last {
+            facet.extend((1..last).map(|b| vec![place(a, b)]));
+        }
+        facets.push(facet);
+    }
+    let facets_at = lattice
+        .iter()
+        .map(|place| (0..6).filter(|&side| is_on(place, side as usize)).collect())
+        .collect();
+    let inputs = points.len();
+    let plan = Plan { points, inputs, facets, facets_at, ..Plan::default() };
+    // The middle of a flat simplex is on a side.
+    let depth = |p: Point| {
+        let back = |k: usize| (0..3).map(|row| rows[row][k] * (p[row] - 0.7)).sum::<f64>() * 3.0;
+        (0..3).map(|k| back(k).min(last as f64 - back(k))).fold(f64::INFINITY, f64::min)
+    };
+    let mut solid = plan.build(|p| (depth(p) > 1e-9).then_some(0));
+    let first = solid.case.mesh.simplex_count() as u32;
+    let count = solid.whole().simplex_count() as u32;
+    solid.corrupt(|mesh| mesh.boundary.flat = (first..count).collect());
     solid
 }

@@ -10,7 +10,10 @@ use netmesh::{Inputs, NONE, Region, Segments, Triangulation};
 
 type Point = [f64; 3];
 
-/// What a solid is made of.
+/// Point in a projection.
+type Flat = [f64; 2];
+
+/// Points, facets and segments that a solid is made of.
 #[derive(Clone, Default)]
 pub struct Plan {
     pub points: Vec<Point>,
@@ -22,9 +25,12 @@ pub struct Plan {
     pub parents: Vec<u32>,
     pub segments: Vec<[u32; 2]>,
     pub regions: Vec<Region>,
+    /// Vertex -> the facets that it is on, where roundings do not show that; then facets are where
+    /// the domain ends.
+    pub facets_at: Vec<Vec<u32>>,
 }
 
-/// A result and what it was made of.
+/// Result and what it was made of.
 #[derive(Clone)]
 pub struct Solid {
     pub case: Case,
@@ -49,7 +55,7 @@ pub fn facets_of(loops: &[Vec<Vec<u32>>], are_triangles: bool) -> Facets {
 }
 
 /// Returns the coordinates without that of the axis along which a polygon has the largest area.
-fn projected(loops: &[Vec<Point>], points: &[Point]) -> (Vec<Vec<[f64; 2]>>, Vec<[f64; 2]>, f64) {
+fn projected(loops: &[Vec<Point>], points: &[Point]) -> (Vec<Vec<Flat>>, Vec<Flat>, f64) {
     let flat = |axis: usize, p: &Point| [p[(axis + 1) % 3], p[(axis + 2) % 3]];
     let area = |axis: usize| -> f64 {
         let corners: Vec<[f64; 2]> = loops[0].iter().map(|p| flat(axis, p)).collect();
@@ -106,7 +112,7 @@ impl Plan {
             ..Boundary::default()
         };
         let faces = Faces::of(&case.mesh);
-        self.add_subfacets(&faces, &mut boundary);
+        self.add_subfacets(&faces, count as u32, &mut boundary);
         self.add_subsegments(&mut boundary);
         case.mesh.boundary = boundary;
         let segments = Segments {
@@ -127,17 +133,21 @@ impl Plan {
         loops.iter().map(|corners| corners.iter().map(point).collect()).collect()
     }
 
-    fn add_subfacets(&self, faces: &Faces, boundary: &mut Boundary) {
+    fn add_subfacets(&self, faces: &Faces, count: u32, boundary: &mut Boundary) {
         let mut rows = Vec::new();
         for (number, loops) in self.facets.iter().enumerate() {
             let corners = self.corners(loops);
             for (face, sides) in &faces.all {
                 let points = face.map(|vertex| self.points[vertex as usize]);
-                let is_on_plane = points.iter().all(|p| {
-                    let [a, b, c] = [0, 1, 2].map(|at| &corners[0][at]);
-                    orientation(&[a, b, c, p]) == Sign::Zero
-                });
-                if !is_on_plane {
+                let is_end = sides.iter().filter(|&&side| side < count).count() == 1;
+                let is_on = |vertex: &u32| match self.facets_at.get(*vertex as usize) {
+                    Some(facets) => is_end && facets.contains(&(number as u32)),
+                    None => {
+                        let [a, b, c] = [0, 1, 2].map(|at| &corners[0][at]);
+                        orientation(&[a, b, c, &self.points[*vertex as usize]]) == Sign::Zero
+                    }
+                };
+                if !face.iter().all(is_on) {
                     continue;
                 }
                 let middle: Point =
@@ -329,7 +339,7 @@ fn cut_boundary(whole: &Triangulation, count: usize) -> Boundary {
     let all = &whole.boundary;
     let mut own = Boundary { forced: all.forced.clone(), ..Boundary::default() };
     let inside = |id: u32| if (id as usize) < count { id } else { NONE };
-    own.simplex_regions = all.simplex_regions[..count].to_vec();
+    own.simplex_regions = all.simplex_regions.iter().copied().take(count).collect();
     own.flat = all.flat.iter().copied().filter(|&id| inside(id) != NONE).collect();
     let simplices = || whole.simplices[..4 * count].chunks(4);
     for (ends, &parent) in all.subsegments.iter().zip(&all.parents) {

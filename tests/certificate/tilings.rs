@@ -99,7 +99,7 @@ fn tilings_are_those_of_another_judge() {
     let (mut held, mut broken) = (0, 0);
     for (solid, facet, axes) in [(boxes(), 8, [1, 2]), (sheet(), 0, [0, 1])] {
         let probes = probes(&triangles(&solid, facet, axes), &mut random);
-        for trial in 0..40 {
+        for trial in 0..24 {
             let mut solid = solid.clone();
             // Some triangles fewer, and some turned round.
             for _ in 0..trial % 3 {
@@ -128,5 +128,5 @@ fn tilings_are_those_of_another_judge() {
             if is_tiled { held += 1 } else { broken += 1 }
         }
     }
-    assert!(held > 20 && broken > 20, "{held} {broken}");
+    assert!(held >= 16 && broken >= 24, "{held} {broken}");
 }

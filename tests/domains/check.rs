@@ -1,4 +1,4 @@
-//! What must hold of the mesh of a domain, found with integers from the arrays of the result.
+//! Properties of the mesh of a domain, found with integers from the arrays of the result.
 
 use super::exact::{Point, doubled_area, half_gap, in_circle, in_units, meets, turn, unit, way};
 use super::shapes::Domain;
@@ -13,14 +13,14 @@ struct Checked<'a> {
     domain: &'a Domain,
     mesh: &'a Mesh,
     result: &'a Triangulation,
-    /// What the result is cut from.
+    /// The whole that the result is extracted from.
     whole: &'a Triangulation,
     /// Vertex -> the vertices at the other ends of subsegments.
     next: HashMap<u32, Vec<u32>>,
     has_crossings: bool,
 }
 
-/// How much of a run's result there is.
+/// Amounts of what a run's result has.
 #[derive(Debug)]
 pub struct Found {
     pub triangles: usize,
@@ -60,8 +60,8 @@ impl Checked<'_> {
         self.whole.point(vertex).try_into().unwrap()
     }
 
-    /// Triangles turn to the left, no vertex beyond an edge is in their circles, and subsegments are
-    /// edges with no apex in their diametral circles.
+    /// Triangles turn to the left, no vertex beyond an edge is in their circles, and subsegments
+    /// are edges with no apex in their diametral circles.
     fn assert_delaunay(&self) {
         let mut edges = HashSet::new();
         let is_limited = |v: u32| self.whole.precision_limited[v as usize];
@@ -114,7 +114,7 @@ impl Checked<'_> {
         way
     }
 
-    /// Whether a chain between `ends` may lead from one vertex to another.
+    /// Returns true if a chain between `ends` may lead from one vertex to another.
     fn goes_on(&self, ends: [u32; 2], vertex: u32, next: u32) -> bool {
         let [from, to] = ends.map(|end| self.point(end));
         let (at, x) = (self.point(vertex), self.point(next));

@@ -70,8 +70,8 @@ pub fn in_circle(a: &Point, b: &Point, c: &Point, d: &Point) -> i32 {
     sign(&(aa * cross(&b, &c) + bb * cross(&c, &a) + cc * cross(&a, &b)))
 }
 
-/// Whether the line through `a` and `b` meets the rectangle with its middle at `p` that reaches
-/// `half` from there on each axis.
+/// Returns true if the line through `a` and `b` meets the rectangle with its middle at `p` that
+/// reaches `half` from there on each axis.
 pub fn meets(a: &Point, b: &Point, p: &Point, half: Point) -> bool {
     let [a, b, p, half] = integers([a, b, p, &half]);
     let corner = |x: i32, y: i32| [&p[0] + &half[0] * x, &p[1] + &half[1] * y];

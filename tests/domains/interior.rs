@@ -1,5 +1,5 @@
-//! What closed curves enclose, by parity and by winding number: each triangle is inside or not as
-//! a ray from a point of it says, by integers.
+//! Regions that closed curves enclose, by parity and by winding number: each triangle is inside or
+//! not as a ray from a point of it says, by integers.
 
 use super::exact::{Point, turn};
 use super::shapes::{Domain, circle, square};
@@ -29,7 +29,8 @@ fn options(interior: Interior) -> Options {
     Options { interior, crossings, ..inside(20.7, Output::WellSpaced) }
 }
 
-/// Whether each triangle of the whole is inside as the curves say. The number of those inside.
+/// Asserts that each triangle of the whole is inside as the curves say; returns the number of those
+/// inside.
 fn assert_inside(domain: &Domain, mesh: &Mesh, interior: Interior) -> usize {
     let report = validate_mesh(mesh, 3).unwrap();
     assert_eq!((report.level, report.violations), (3, 0), "{:?}", report.first);
@@ -53,7 +54,7 @@ fn check(domain: &Domain, interior: Interior) -> usize {
     assert_inside(domain, &mesh, interior)
 }
 
-/// By both rules.
+/// Checks the domain by both rules.
 fn check_both(domain: &Domain) -> [usize; 2] {
     [Interior::Parity, Interior::Winding].map(|interior| check(domain, interior))
 }
@@ -213,7 +214,7 @@ fn segments_that_are_there_twice() {
             }
         }
     }
-    // By equal inputs, and in pieces.
+    // Curves twice by equal inputs, and in pieces.
     let points = [square(1.0).to_vec(), vec![[0.5, -1.0]], square(1.0).to_vec()].concat();
     let twice = curves(&points, &[forth, &[5, 4, 6, 7, 8]]);
     assert_nothing(&twice, Interior::Parity);

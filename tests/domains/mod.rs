@@ -1,5 +1,5 @@
 //! Domains of the plane of all sorts: each ends in a mesh, or in a status where there can be none.
-//! What holds of the mesh is checked with integers of the tests' own, beside the certificate.
+//! Properties of the mesh are checked with integers of the tests' own, beside the certificate.
 
 mod check;
 mod corners;
@@ -219,7 +219,7 @@ fn chains_an_ulp_apart() {
     }
 }
 
-/// Where segments cross they are split at the nearest double, or refused by name.
+/// Segments that cross are split at the nearest double, or refused by name.
 #[test]
 fn crossing_segments() {
     for domain in [shapes::chords(30), shapes::random_segments(20, &mut Random::new(8))] {

@@ -159,6 +159,19 @@ fn lines_at_a_sharp_angle_are_told_apart() {
     }
 }
 
+/// Two lines at a sharp angle end a unit apart, as shapely cuts arcs where they cross. Edges there are short
+/// in units of x, which y is finer than.
+#[test]
+fn lines_that_end_a_unit_apart_are_told_apart() {
+    let points: [Point; 4] = [
+        [-122.53963295875424, 39.731156018167844],
+        [-122.55442568658988, 39.78636323003301],
+        [-122.56396340307903, 39.75076798750735],
+        [-122.5544256865899, 39.78636323003301],
+    ];
+    check(&points, &[[0, 1], [2, 3]], &[Extent::All, Extent::Hull, Extent::Box]);
+}
+
 /// Two lines between which a run finds no room share vertices, each twice as far on as the
 /// last: vertices at equal distances would not get to where there is room.
 #[test]
@@ -205,7 +218,8 @@ fn sides_that_end_beyond_each_other_have_a_mesh() {
     check(&points, &segments, &[Extent::All, Extent::Hull, Extent::Boundary]);
 }
 
-/// A mesh between two lines a few units apart would have as many vertices as the gap fits into them.
+/// A mesh between two lines a few units apart would have as many vertices as the gap fits into
+/// them.
 #[test]
 fn lines_that_run_along_each_other_share_vertices() {
     for units in 1..16 {

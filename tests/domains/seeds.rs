@@ -130,7 +130,7 @@ fn two_seeds_in_a_region_are_refused() {
     }
 }
 
-/// By parity the inner square is out already. A hole says the same, a label would be lost.
+/// The inner square is out already by parity. A hole says the same, a label would be lost.
 #[test]
 fn seeds_where_curves_leave_the_domain_out() {
     for (interior, word) in [(Interior::Parity, "Parity"), (Interior::Winding, "Winding")] {
@@ -225,7 +225,7 @@ fn segments_outside_have_no_edges() {
     }
 }
 
-/// Where a hole is along the outer side, nothing is on either side of that.
+/// Nothing is on either side of an outer side that a hole lies along.
 #[test]
 fn sides_of_holes_outside_have_no_edges() {
     let points = [

@@ -1,7 +1,7 @@
-//! What the fuzz targets have found, each as a test of its own. The inputs are in the corpus too.
+//! Findings of the fuzz targets, each as a test of its own. The inputs are in the corpus too.
 
 use netmesh::validate::{validate, validate_mesh};
-use netmesh::{ErrorKind, Extent, Mesh, Options, Output};
+use netmesh::{Crossings, ErrorKind, Extent, Mesh, Options, Output};
 use std::time::{Duration, Instant};
 
 fn certify(dim: usize, points: &[f64], options: &Options) {
@@ -49,7 +49,7 @@ fn a_cage_beyond_the_limit_is_not_made() {
     assert!(begun.elapsed() < Duration::from_secs(20), "{:?}", begun.elapsed());
 }
 
-/// Where one coordinate of a segment's ends was 2^900 times as large as the other's, vertices between
+/// One coordinate of a segment's ends was 2^900 times as large as the other's, and vertices between
 /// them were a unit in the last place off.
 #[test]
 fn segments_between_points_of_any_magnitude() {
@@ -67,8 +67,8 @@ fn segments_between_points_of_any_magnitude() {
     assert_eq!((report.level, report.violations), (3, 0), "{:?}", report.first);
 }
 
-/// Sharp corners put vertices where one coordinate is half a unit in the last place from an end's, but
-/// for 2^-54 of that. Sums in which that was lost took the tie to the other double.
+/// Sharp corners put vertices where one coordinate is half a unit in the last place from an end's,
+/// but for 2^-54 of that. Sums in which that was lost took the tie to the other double.
 #[test]
 fn vertices_that_nearly_are_half_a_unit_from_an_end() {
     let points =
@@ -77,6 +77,33 @@ fn vertices_that_nearly_are_half_a_unit_from_an_end() {
     mesh.set_segments(&[0, 2, 1, 2], None).unwrap();
     let options = Options { output: Output::WellSpaced, ..Options::default() };
     mesh.run(&options, None).unwrap();
+    let report = validate_mesh(&mesh, 3).unwrap();
+    assert_eq!((report.level, report.violations), (3, 0), "{:?}", report.first);
+}
+
+/// A corner of a box beside inputs a unit in the last place away, through which both sides go: the
+/// certificate took the corner, from whose two edges one sees no side, for a vertex on one line.
+#[test]
+fn a_corner_of_a_box_beside_inputs() {
+    let unit = f64::EPSILON;
+    let (one, two, three) = (1.0 + unit, 1.0 + 2.0 * unit, 1.0 + 3.0 * unit);
+    let (left, middle) = (-1.0 + 0.5 * unit, -1.0 + unit);
+    let points = [
+        [1.0, 1.0],
+        [-1.0, 1.0],
+        [one, one],
+        [left, one],
+        [two, two],
+        [-1.0, two],
+        [middle, two],
+        [three, three],
+        [left, two],
+        [two, 0.0],
+    ];
+    let mut mesh = Mesh::new(2, points.len(), points.as_flattened(), 0).unwrap();
+    mesh.set_segments(&[0, 8], None).unwrap();
+    let (extent, crossings) = (Extent::Box, Crossings::Split);
+    mesh.run(&Options { extent, crossings, min_angle: 33.0, ..Options::default() }, None).unwrap();
     let report = validate_mesh(&mesh, 3).unwrap();
     assert_eq!((report.level, report.violations), (3, 0), "{:?}", report.first);
 }

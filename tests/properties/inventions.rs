@@ -1,4 +1,4 @@
-//! What proptest invents.
+//! Inputs that proptest invents.
 
 use super::checks::readers::FORMATS;
 use super::checks::{c_api, features, mesh, poly, readers, segments, signs, slivers};
@@ -163,7 +163,8 @@ fn nearly_a_file() -> impl Strategy<Value = String> {
         1 => Just("$EndNodes".to_string()),
         2 => Just("MeshVersionFormatted 2\nDimension 2\nVertices\n".to_string()),
         2 => Just(format!("{PLY}end_header\n")),
-        1 => Just(format!("{PLY}property list uchar int l\nelement face 1\nproperty int a\nend_header\n")),
+        1 => Just(format!("{PLY}property list uchar int l\nelement face 1\nproperty int a\n\
+                           end_header\n")),
         1 => "[-+.0-9eEnaif#]{1,12}",
     ];
     let separator = prop_oneof![

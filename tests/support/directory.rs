@@ -1,4 +1,4 @@
-//! Where a test leaves its files.
+//! Directories for the files of a test.
 
 use std::fs;
 use std::path::PathBuf;

@@ -28,7 +28,7 @@ pub struct Arguments {
     pub output: Option<PathBuf>,
     pub document: Option<PathBuf>,
     pub from_csv: bool,
-    /// Of the experiments to run, in the order of [`ALL`].
+    /// Names of the experiments to run, in the order of [`ALL`].
     pub names: Vec<&'static str>,
 }
 

@@ -1,4 +1,4 @@
-//! How many neighbours the vertices of a mesh have.
+//! Numbers of neighbours of the vertices of a mesh.
 
 use netmesh::Triangulation;
 

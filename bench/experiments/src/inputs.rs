@@ -110,7 +110,8 @@ pub fn nested_clusters(
     })
 }
 
-/// A grid of side^dim points whose coordinates, from 1 on, are each moved by up to half of `spread`.
+/// A grid of side^dim points whose coordinates, from 1 on, are each moved by up to half of
+/// `spread`.
 pub fn grid(dim: usize, side: usize, spread: f64, seed: u64) -> Points {
     let mut random = Random::new(seed);
     filled(dim, side.pow(dim as u32), |i| {

@@ -11,7 +11,7 @@ pub struct Instruments {
 }
 
 impl Instruments {
-    /// Those of a run with `Options::instruments`.
+    /// Returns the figures of a run with `Options::instruments`.
     pub fn of(stats: &Stats) -> Self {
         Self {
             max_ply: stats.max_ply as f64,

@@ -46,7 +46,8 @@ fn main() -> ExitCode {
     }
 }
 
-/// How the experiment `dimensions` calls this program for a run in a process of its own.
+/// Prints the memory of a run; the experiment `dimensions` calls this program so, for a process of
+/// its own.
 fn print_memory(input: &str, dim: &str, n: &str) -> ExitCode {
     let (Ok(dim), Ok(n)) = (dim.parse(), n.parse()) else { return ExitCode::from(2) };
     match experiments::added_memory(input, dim, n) {
@@ -124,8 +125,8 @@ fn write(arguments: &Arguments, report: &Report) -> std::io::Result<()> {
     std::fs::write(document, sections.document(&introduction(arguments.scale), &names))
 }
 
-/// The path from the document to the folder of tables and pictures, which is the document's own folder
-/// or one beside it.
+/// The path from the document to the folder of tables and pictures, which is the document's own
+/// folder or one beside it.
 fn link(output: &Path, document: &Path) -> String {
     if document.parent() == Some(output) {
         return ".".into();
@@ -141,12 +142,12 @@ fn introduction(scale: Scale) -> String {
         "# Experiments\n\n\
          Written by `bench/experiments/run.sh --write{quick}`; do not edit. What the paper proves, \
          measured, with a verdict on each target that is computed from the figures.\n\n\
-         n is the number of inputs and m that of the mesh's vertices, those of cages and of the root's \
-         cage included. A touch is one uninserted input considered for one ball (the paper's Definition \
-         9). SVR is Sparse Voronoi Refinement, the algorithm that NETMESH beats; the library has it as \
-         `NM_ALGORITHM_SVR`.\n\n\
-         The machine: {cores} core{plural}, of which timed runs use one, one at a time, and the others \
-         two. It has other work to do: seconds are the least of alternating runs where the text does not \
-         say otherwise, and counts are exact.\n"
+         n is the number of inputs and m that of the mesh's vertices, those of cages and of the \
+         root's cage included. A touch is one uninserted input considered for one ball (the \
+         paper's Definition 9). SVR is Sparse Voronoi Refinement, the algorithm that NETMESH \
+         beats; the library has it as `NM_ALGORITHM_SVR`.\n\n\
+         The machine: {cores} core{plural}, of which timed runs use one, one at a time, and the \
+         others two. It has other work to do: seconds are the least of alternating runs where the \
+         text does not say otherwise, and counts are exact.\n"
     )
 }

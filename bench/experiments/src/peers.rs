@@ -39,7 +39,7 @@ impl Peer {
     }
 }
 
-/// Those that mesh in `dim` dimensions with a bound.
+/// Returns the peers that mesh in `dim` dimensions with a bound.
 pub fn meshers(dim: usize) -> &'static [Peer] {
     match dim {
         2 => &[Peer::Mesh2, Peer::Triangle],
@@ -59,7 +59,7 @@ pub enum PeerOutcome {
     Absent,
 }
 
-/// Where the peers are.
+/// Places of the peers.
 #[derive(Clone, Debug, Default)]
 pub struct Peers {
     /// The program that this package's CMake target builds.
@@ -97,7 +97,7 @@ impl Peers {
             Err(why) => PeerOutcome::Failed(why.to_string()),
         };
         for path in [input, output] {
-            // Where the peer wrote nothing there is nothing to remove.
+            // There is nothing to remove if the peer wrote nothing.
             let _ = std::fs::remove_file(path);
         }
         outcome

@@ -1,4 +1,4 @@
-//! What an experiment says, as files and as a section of docs/reports/experiments.md.
+//! Report of an experiment, as files and as a section of docs/reports/experiments.md.
 
 use crate::table::Table;
 use crate::verdict::{Answer, Verdict};

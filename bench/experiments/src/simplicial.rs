@@ -18,7 +18,7 @@ impl From<&Triangulation> for Simplicial {
     }
 }
 
-/// What is compared between meshers.
+/// Figures that are compared between meshers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Figures {
     pub vertices: usize,

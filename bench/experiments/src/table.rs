@@ -35,7 +35,7 @@ impl Table {
     }
 }
 
-/// What a table's file says, to make a report again without a run.
+/// Content of a table's file, to make a report again without a run.
 #[derive(Debug)]
 pub struct Rows {
     columns: Vec<String>,

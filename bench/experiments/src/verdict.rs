@@ -1,4 +1,4 @@
-//! What the data say about a target.
+//! Verdict of the data on a target.
 
 use crate::table::number;
 
@@ -80,7 +80,7 @@ fn extremes(values: &[f64]) -> (f64, f64) {
     (low, values.iter().copied().fold(f64::NEG_INFINITY, f64::max))
 }
 
-/// By what fraction the largest value exceeds the smallest.
+/// Returns the fraction by which the largest value exceeds the smallest.
 pub fn variation(values: &[f64]) -> f64 {
     let (low, high) = extremes(values);
     high / low - 1.0

@@ -17,7 +17,8 @@ const HEADERS: [(&str, &str); 8] = [
     ("sizes", "input,dim,n,bound,mesher,m/n,inside/n,simplices,worst,note,seconds"),
     (
         "dimensions",
-        "dim,input,n,m/n,simplices/vertex,seconds,points/s,MiB,KiB/input,certificate,certificate seconds",
+        "dim,input,n,m/n,simplices/vertex,seconds,points/s,MiB,KiB/input,certificate,certificate \
+         seconds",
     ),
     ("cage_cells", "input,dim,n,m/n,counted,anywhere,in cage gaps,in gaps/n"),
     ("slivers", "input,n,degrees,slivers,left,m/n before,m/n,seconds,time,level"),
@@ -61,7 +62,8 @@ fn every_experiment_writes_its_tables_and_its_section() {
         assert!(csv.lines().all(|line| line.split(',').count() >= columns), "{name}");
     }
     let document = std::fs::read_to_string(folder.join("results.md")).unwrap();
-    // Those of the document that is shipped, which a test of the Python package draws.
+    // Its pictures are those of the document that is shipped, which a test of the Python package
+    // draws.
     let shipped = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/reports/experiments.md");
     let shipped = std::fs::read_to_string(shipped).unwrap();
     assert_eq!(pictures(&document), pictures(&shipped));

@@ -1,17 +1,17 @@
-//! What is measured: points, and the options that they are meshed with.
+//! Cases that are measured: points, and the options that they are meshed with.
 
 use crate::inputs::Distribution;
 use netmesh::validate::validate;
 use netmesh::{Algorithm, Criterion, Mesh, Options, Output};
 
-/// What is made of which points.
+/// Kinds of results, and the points that they are made of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Default options.
     Hierarchical(Distribution),
-    /// Of uniform points a mesh without cages, its radius-edge ratios at most 2.
+    /// A mesh without cages of uniform points, its radius-edge ratios at most 2.
     Finished,
-    /// Of uniform points the triangulation, without Steiner points.
+    /// The triangulation of uniform points, without Steiner points.
     Delaunay,
 }
 

@@ -6,7 +6,7 @@ use crate::random::Random;
 
 const SEED: u64 = 1;
 
-/// How the points are spread.
+/// Spread of the points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Distribution {
     /// In the unit cube.
@@ -75,7 +75,8 @@ mod tests {
         let points = Distribution::Lattice.points(3, 20);
         assert_eq!(points[..9], [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 2.0, 0.0, 0.0]);
         assert_eq!(points[57..], [1.0, 0.0, 2.0]);
-        let mut all: Vec<_> = points.chunks(3).map(|p| p.iter().map(|x| x.to_bits()).collect::<Vec<_>>()).collect();
+        let bits = |point: &[f64]| point.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
+        let mut all: Vec<_> = points.chunks(3).map(bits).collect();
         all.sort_unstable();
         all.dedup();
         assert_eq!(all.len(), 20);

@@ -19,8 +19,8 @@ const REFUSED: &str = "Always refused: ask netmesh, on one process";
 /// netmesh makes of them on one process, in parts.
 ///
 /// Each rank reads its part of the input and writes its part of the output; all must see the same
-/// files, and be called with the same options but for --threads. The number of coordinates in the input
-/// is the dimension, 2 or 3.
+/// files, and be called with the same options but for --threads. The number of coordinates in the
+/// input is the dimension, 2 or 3.
 #[derive(Clone, Debug, Parser)]
 #[command(name = "netmesh-mpi", version, after_help = format!("{EXAMPLES}\n\n{}", exit_code::HELP))]
 pub struct Arguments {
@@ -40,13 +40,13 @@ pub struct Arguments {
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub output_format: Option<OutputFormat>,
 
-    /// Make a well-spaced mesh of one domain (FINISHMESH), also where nothing asks for one. An angle
-    /// does; otherwise the mesh is hierarchical
+    /// Make a well-spaced mesh of one domain (FINISHMESH), also where nothing asks for one. An
+    /// angle does; otherwise the mesh is hierarchical
     #[arg(long)]
     pub finish: bool,
 
-    /// Make a hierarchical mesh, also where an angle asks for a well-spaced one; some triangles beside
-    /// cages then miss the angle
+    /// Make a hierarchical mesh, also where an angle asks for a well-spaced one; some triangles
+    /// beside cages then miss the angle
     #[arg(long, conflicts_with = "finish")]
     pub hierarchical: bool,
 
@@ -68,8 +68,8 @@ pub struct Arguments {
 }
 
 /// Returns the heading under which the program has an option of the library, if it has it by name:
-/// the kind of output has arguments of its own. Numbers that meshes of several ranks do not have are
-/// refused by the run, which says so in the program's words.
+/// the kind of output has arguments of its own. Numbers that meshes of several ranks do not have
+/// are refused by the run, which says so in the program's words.
 pub fn heading(row: &Row) -> Option<&'static str> {
     match row.on_ranks {
         true if row.name == "output" => None,
@@ -141,10 +141,10 @@ mod tests {
 
     #[test]
     fn every_option_reaches_the_run() {
-        let line = "netmesh-mpi in.npy --finish --ordering deterministic --criterion radius-edge --bound 1 \
-                    --epsilon 2 --delta 3 --gamma 4 --yield-radius 5 --encroachment 6 --cage-scale 7 \
-                    --root-scale 8 --distance-ratio 9 --min-dihedral 10 --max-edge 11 --gives-way bound \
-                    --seed 12 --max-vertices 13 --threads 14";
+        let line = "netmesh-mpi in.npy --finish --ordering deterministic --criterion radius-edge \
+                    --bound 1 --epsilon 2 --delta 3 --gamma 4 --yield-radius 5 --encroachment 6 \
+                    --cage-scale 7 --root-scale 8 --distance-ratio 9 --min-dihedral 10 --max-edge \
+                    11 --gives-way bound --seed 12 --max-vertices 13 --threads 14";
         let expected = Options {
             output: Output::WellSpaced,
             ordering: NetOrdering::DeterministicNet,

@@ -54,7 +54,8 @@ pub fn run(comm: &dyn Communicator, arguments: &Arguments) -> Result<(), Failure
 fn require(report: &Report) -> Result<(), Failure> {
     let Some(first) = &report.first else { return Ok(()) };
     let message = format!(
-        "the certificate is violated: level {} of {LEVEL} holds, {} violations, the first: {} (rank {})",
+        "the certificate is violated: level {} of {LEVEL} holds, {} violations, the first: {} \
+         (rank {})",
         report.level, report.violations, first.message, first.rank
     );
     Err(Failure::new(ExitCode::CertificateViolated, message))

@@ -76,6 +76,33 @@ impl<'a> BoxTree<'a> {
         Ok(())
     }
 
+    /// Calls `visit` with all boxes that meet something, given a test that may only be true too often
+    /// for larger boxes. O(log n) for each box that is found, if the test is good.
+    pub fn each_at(
+        &self,
+        meets: impl Fn(&Bounds) -> bool,
+        mut visit: impl FnMut(u32) -> Result<()>,
+    ) -> Result<()> {
+        let leaves = self.tree.leaf_count();
+        let mut waiting = Vec::new();
+        waiting.try_push(1usize)?;
+        while let Some(node) = waiting.pop() {
+            if !meets(&self.bounds[node]) {
+                continue;
+            }
+            if node < leaves {
+                waiting.try_extend(&[2 * node + 1, 2 * node])?;
+                continue;
+            }
+            for (member, _) in self.tree.members::<3>(node - leaves) {
+                if meets(&self.boxes[member as usize]) {
+                    visit(member)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
     /// Visits the pairs of boxes in two leaves, or in one. Returns the number of pairs tried.
     fn visit_leaves(
         &self,

@@ -137,7 +137,7 @@ fn sort_around(inputs: &Inputs, triangles: &[[u32; 3]], around: &mut [Side]) {
         sign if sign.is_zero() => 2,
         _ => 3,
     };
-    around.sort_by(|a, b| {
+    around.sort_unstable_by(|a, b| {
         let [a, b] = [a, b].map(|side| point(side.within(triangles).1));
         half(a).cmp(&half(b)).then_with(|| match turn(a, b) {
             sign if sign.is_positive() => Ordering::Less,

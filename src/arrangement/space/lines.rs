@@ -2,24 +2,21 @@
 
 use super::sides::{Side, Sides};
 use crate::memory::{AllocResult, TryGrow, collected, with_capacity};
-use crate::mesh::{FacetTriangle, NONE, Segments, Subsegment};
+use crate::mesh::{FacetTriangle, NONE, Subsegment};
 
-/// Returns the lines: first the caller's segments, of those between the same vertices the first,
-/// then by their vertices all other edges at which more or fewer than two triangles of one facet
-/// meet, and `lines` that facets have besides. Also returns the number of segments left out.
-/// O(n log n).
+/// Returns the lines: first the caller's segments, which are given as pieces in their order, of
+/// those between the same vertices the first; then by their vertices all other edges at which more
+/// or fewer than two triangles of one facet meet, and `lines` that facets have besides. O(n log n).
 pub(super) fn lines(
     triangles: &[FacetTriangle],
-    segments: &Segments,
-    vertex: impl Fn(u32) -> u32,
+    segments: &[([u32; 2], u32)],
     lines: &[[u32; 2]],
-) -> AllocResult<(Vec<Subsegment>, u64)> {
+) -> AllocResult<Vec<Subsegment>> {
     let ordered = |[x, y]: [u32; 2]| [x.min(y), x.max(y)];
-    let own = segments.inputs.iter().map(|ends| ordered(ends.map(&vertex)));
+    let own = segments.iter().map(|&(ends, _)| ordered(ends));
     let mut own: Vec<([u32; 2], u32)> = collected(own.zip(0u32..))?;
     own.sort_unstable();
     own.dedup_by_key(|(ends, _)| *ends);
-    let covered = segments.inputs.len() - own.len();
     let is_own = |ends: &[u32; 2]| own.binary_search_by_key(ends, |(ends, _)| *ends).is_ok();
     let mut others = collected(lines.iter().map(|&ends| ordered(ends)))?;
     let vertices = collected(triangles.iter().map(|triangle| triangle.vertices))?;
@@ -33,12 +30,21 @@ pub(super) fn lines(
     others.sort_unstable();
     others.dedup();
     others.retain(|ends| !is_own(ends));
-    own.sort_unstable_by_key(|&(_, segment)| segment);
+    own.sort_unstable_by_key(|&(_, at)| at);
     let mut all = with_capacity(own.len() + others.len())?;
-    for (_, segment) in own {
-        let ends = segments.inputs[segment as usize].map(&vertex);
+    for (_, at) in own {
+        let (ends, segment) = segments[at as usize];
         all.push(Subsegment { ends, segment, balance: 0 });
     }
     all.extend(others.into_iter().map(|ends| Subsegment { ends, segment: NONE, balance: 0 }));
-    Ok((all, covered as u64))
+    Ok(all)
+}
+
+/// Returns the number of segments without a line of their own, given all lines in their order.
+pub(super) fn covered(segments: usize, lines: &[Subsegment]) -> u64 {
+    let own = lines.iter().filter(|line| line.segment != NONE);
+    let (kept, _) = own.fold((0, NONE), |(kept, last), line| {
+        (kept + usize::from(line.segment != last), line.segment)
+    });
+    (segments - kept) as u64
 }

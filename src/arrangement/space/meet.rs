@@ -24,8 +24,6 @@ pub(super) struct Meeting {
     /// Corner -> the least face of each that holds it.
     corners: [[Face; 2]; MOST_CORNERS],
     count: usize,
-    /// True if both are triangles in one plane.
-    is_coplanar: bool,
     /// True if both are triangles.
     are_triangles: bool,
 }
@@ -63,7 +61,6 @@ impl Meeting {
             (3.., _) => IntersectionKind::Overlap,
             (2, _) if !self.are_triangles => IntersectionKind::Overlap,
             (2, [false, false]) => IntersectionKind::Overlap,
-            (_, [true, true]) if self.is_coplanar => IntersectionKind::Overlap,
             (_, [true, true]) => IntersectionKind::Cross,
             _ => IntersectionKind::Touch,
         }
@@ -76,8 +73,8 @@ impl Meeting {
         point_between(&first, &last, 0.5)
     }
 
-    fn new(is_coplanar: bool) -> Self {
-        Self { corners: [[0; 2]; MOST_CORNERS], count: 0, is_coplanar, are_triangles: false }
+    fn new() -> Self {
+        Self { corners: [[0; 2]; MOST_CORNERS], count: 0, are_triangles: false }
     }
 
     /// Adds a corner, unless it is known.
@@ -124,8 +121,7 @@ fn triangles(points: &[[f64; 3]], [one, other]: [[u32; 3]; 2]) -> Option<Meeting
     if !is_same && are_apart(&of_one, &one, other) {
         return None;
     }
-    let is_coplanar = of_other.iter().all(|side| side.is_zero());
-    let mut meeting = Meeting::new(is_coplanar);
+    let mut meeting = Meeting::new();
     add_rim(points, (&one, of_one), other, &mut |faces| meeting.add(faces))?;
     add_rim(points, (&other, of_other), one, &mut |[b, a]| meeting.add([a, b]))?;
     Some(meeting)
@@ -143,7 +139,7 @@ fn across(
     if are_apart(&own, segment, triangle) {
         return None;
     }
-    let mut meeting = Meeting::new(false);
+    let mut meeting = Meeting::new();
     let mut add = |[a, b]: [Face; 2]| meeting.add(if is_second { [b, a] } else { [a, b] });
     add_rim(points, (segment, own), triangle, &mut add)?;
     Some(meeting)
@@ -241,7 +237,7 @@ fn segments(points: &[[f64; 3]], both: [&[u32]; 2]) -> Option<Meeting> {
     if shared == 2 || shared == 0 && !orientation(&[p, q, r, s]).is_zero() {
         return None;
     }
-    let mut meeting = Meeting::new(false);
+    let mut meeting = Meeting::new();
     for (i, a) in one.iter().enumerate() {
         for (j, b) in other.iter().enumerate().filter(|&(_, b)| a == b) {
             debug_assert_eq!(a, b);

@@ -28,17 +28,17 @@ pub(super) fn merged(
     let sine = sine_of(coplanar);
     let neighbors = flat_neighbors(points, triangles, markers, sine, poll)?;
     let corners = |triangle: u32| triangles[triangle as usize].map(|v| &points[v as usize]);
-    let mut seeds = collected(0..triangles.len() as u32)?;
-    if sine > ROUNDING {
-        let size = |&triangle: &u32| {
-            let (normal, exponent) = normalized(normal(corners(triangle)));
-            (Reverse(exponent), Reverse((norm(&normal) * 1e6) as u64), triangle)
-        };
-        seeds.sort_by_cached_key(size);
-    }
+    let size = |triangle: u32| {
+        let (normal, exponent) = normalized(normal(corners(triangle)));
+        (exponent, (norm(&normal) * 1e6) as u64)
+    };
+    let has_angle = sine > ROUNDING;
+    let sized = |triangle: u32| (if has_angle { size(triangle) } else { (0, 0) }, triangle);
+    let mut seeds = collected((0..triangles.len() as u32).map(sized))?;
+    seeds.sort_unstable_by_key(|&(size, triangle)| (Reverse(size), triangle));
     let mut facets = filled(triangles.len(), NONE)?;
     let (mut members, mut waiting) = (Vec::new(), VecDeque::new());
-    for seed in seeds {
+    for (_, seed) in seeds {
         if facets[seed as usize] != NONE {
             continue;
         }

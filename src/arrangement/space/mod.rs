@@ -7,6 +7,7 @@
 //! - [`boxes`] finds pairs of these whose boxes meet, [`meet`] tells exactly whether and how two
 //!   meet, and [`intersections`] collects all that must not; [`crossed`] does that for the edges of
 //!   one polygon. [`faults`] has the words for what is refused.
+//! - [`isolated`] finds inputs on facets and segments that these do not have.
 //! - [`merge`] makes one facet of triangles that [`bends`] shows to be in one plane; [`lines`]
 //!   has the edges at which facets end.
 //! - [`closed`] tells whether facets are closed surfaces, and whether they enclose something;
@@ -20,6 +21,7 @@ mod faults;
 #[cfg(test)]
 mod file_tests;
 mod intersections;
+mod isolated;
 mod lines;
 mod meet;
 #[cfg(test)]
@@ -31,6 +33,8 @@ mod pieces;
 mod planar;
 mod plane;
 mod polygon;
+#[cfg(test)]
+mod polygon_tests;
 mod projection;
 mod sides;
 #[cfg(test)]
@@ -40,13 +44,14 @@ pub use closed::{check_closed_in_space, encloses_in_space};
 
 use super::poll::Poll;
 use crate::error::Result;
-use crate::memory::{AllocResult, TryGrow, collected, copied, filled, with_capacity};
+use crate::memory::{AllocResult, Lists, TryGrow, collected, copied, filled, with_capacity};
 use crate::mesh::{
     ArrangedFacet, Arrangement, FacetTriangle, Facets, Feature, Inputs, Intersection, NONE, Region,
     Segments,
 };
 use crate::numerics::coordinates;
 use faults::{not_plane, refused};
+use isolated::Isolated;
 use pieces::{Piece, Pieces};
 
 /// Facets and segments in space to arrange.
@@ -70,7 +75,7 @@ pub struct TaskInSpace<'a> {
 pub fn arrange_in_space(task: &TaskInSpace<'_>, poll: Poll<'_>) -> Result<Arrangement> {
     let TaskInSpace { inputs, facets, segments, .. } = *task;
     let points = points_of(inputs)?;
-    let pieces = Pieces::new(&points, inputs, facets, segments, task.coplanar, poll)?;
+    let mut pieces = Pieces::new(&points, task, &Isolated::default(), poll)?;
     if let Some((facet, off)) = &pieces.off_plane {
         return Err(not_plane(inputs, *facet, off));
     }
@@ -79,14 +84,44 @@ pub fn arrange_in_space(task: &TaskInSpace<'_>, poll: Poll<'_>) -> Result<Arrang
         return Err(refused(facets, first, found.len()));
     }
     let mut arrangement = Arrangement { regions: copied(task.regions)?, ..Arrangement::default() };
+    if let Some((through, isolated)) = through_isolated(&points, task, &pieces, poll)? {
+        pieces = through;
+        isolated.offsets.iter().for_each(|&offset| arrangement.note_offset(offset));
+    }
     match facets.are_triangles {
         true => add_surface(&points, task, &pieces.all, &mut arrangement, poll)?,
         false => add_polygons(facets, &pieces.all, &mut arrangement)?,
     }
-    let vertex = |input: u32| inputs.vertices()[input as usize];
-    (arrangement.subsegments, arrangement.covered_segments) =
-        lines::lines(&arrangement.triangles, segments, vertex, &pieces.lines)?;
+    let mut parts = with_capacity(segments.inputs.len())?;
+    for piece in &pieces.all {
+        if let (Feature::Segment(segment), &[from, to]) = (piece.feature, piece.vertices()) {
+            parts.try_push(([from, to], segment))?;
+        }
+    }
+    arrangement.subsegments = lines::lines(&arrangement.triangles, &parts, &pieces.lines)?;
+    arrangement.covered_segments = lines::covered(segments.count(), &arrangement.subsegments);
     Ok(arrangement)
+}
+
+/// Returns pieces that go through the inputs on them that they do not have, and these inputs; `None`
+/// if there are none. Only inputs exactly on pieces count if pieces that bend through others meet.
+fn through_isolated(
+    points: &[[f64; 3]],
+    task: &TaskInSpace<'_>,
+    pieces: &Pieces,
+    poll: Poll<'_>,
+) -> Result<Option<(Pieces, Isolated)>> {
+    for is_exact in [false, true] {
+        let isolated = Isolated::find(points, pieces, is_exact, poll)?;
+        if isolated.is_empty() {
+            return Ok(None);
+        }
+        let through = Pieces::new(points, task, &isolated, poll)?;
+        if intersections::all(points, &through, poll)?.is_empty() {
+            return Ok(Some((through, isolated)));
+        }
+    }
+    Ok(None)
 }
 
 /// Returns all pairs of facets and segments that meet in more than vertices and edges of both, and
@@ -103,7 +138,8 @@ pub fn find_intersections(
     poll: Poll<'_>,
 ) -> Result<Vec<Intersection>> {
     let points = points_of(inputs)?;
-    let pieces = Pieces::new(&points, inputs, facets, segments, 0.0, poll)?;
+    let task = TaskInSpace { inputs, facets, segments, regions: &[], coplanar: 0.0 };
+    let pieces = Pieces::new(&points, &task, &Isolated::default(), poll)?;
     intersections::all(&points, &pieces, poll)
 }
 
@@ -121,23 +157,23 @@ fn add_surface(
     poll: Poll<'_>,
 ) -> Result<()> {
     let triangles = collected(pieces.iter().filter_map(Piece::triangle))?;
-    let markers = &task.facets.markers;
-    let firsts = merge::merged(points, &triangles, markers, task.coplanar, poll)?;
+    let own = pieces.iter().filter(|piece| piece.triangle().is_some());
+    let of = collected(own.filter_map(Piece::facet))?;
+    let markers = collected(of.iter().map(|&facet| task.facets.markers[facet as usize]))?;
+    let firsts = merge::merged(points, &triangles, &markers, task.coplanar, poll)?;
     let mut numbers = filled(triangles.len(), NONE)?;
     for (triangle, &first) in firsts.iter().enumerate().filter(|&(at, &first)| at == first as usize)
     {
         numbers[triangle] = arrangement.facets.len() as u32;
-        arrangement.facets.try_push(ArrangedFacet { parent: first, balance: 1 })?;
+        arrangement.facets.try_push(ArrangedFacet { parent: of[first as usize], balance: 1 })?;
     }
+    let numbered = || firsts.iter().map(|&first| numbers[first as usize]).zip(0u32..);
+    let of_facets = Lists::of_pairs(arrangement.facets.len(), numbered)?;
     arrangement.triangles = with_capacity(triangles.len())?;
-    arrangement.triangles.extend(
-        triangles
-            .iter()
-            .zip(&firsts)
-            .map(|(&vertices, &first)| FacetTriangle { vertices, facet: numbers[first as usize] }),
-    );
-    // The order of the triangles within a facet is the caller's.
-    arrangement.triangles.sort_by_key(|triangle| triangle.facet);
+    for (facet, own) in (0u32..).zip(of_facets.iter()) {
+        let made = own.iter().map(|&at| FacetTriangle { vertices: triangles[at as usize], facet });
+        arrangement.triangles.extend(made);
+    }
     Ok(())
 }
 

@@ -1,7 +1,10 @@
 //! Facets and segments as triangles and segments between vertices.
 
+use super::TaskInSpace;
 use super::bends::are_flat;
 use super::crossed::meeting_of_edges;
+use super::isolated::Isolated;
+use super::meet::Face;
 use super::plane::{OffPlane, Plane};
 use super::polygon::{INTERIOR, Polygon, PolygonEdge, Tiling};
 use super::projection::Projection;
@@ -30,7 +33,7 @@ pub(super) struct Pieces {
     pub lines: Vec<[u32; 2]>,
     /// Facets that meet themselves, or have no area.
     pub faults: Vec<Intersection>,
-    /// First facet that is not plane, with the vertex that is farthest off.
+    /// First facet that is not plane, with its vertex that is farthest off.
     pub off_plane: Option<(u32, OffPlane)>,
 }
 
@@ -47,6 +50,14 @@ impl Piece {
         (self.count == 3).then_some(self.vertices)
     }
 
+    /// Returns the facet that the piece is a part of; `None` for a segment.
+    pub fn facet(&self) -> Option<u32> {
+        match self.feature {
+            Feature::Facet(facet) => Some(facet),
+            Feature::Segment(_) => None,
+        }
+    }
+
     fn of_triangle(vertices: [u32; 3], inner: u8, feature: Feature) -> Self {
         Self { vertices, count: 3, inner, feature }
     }
@@ -58,50 +69,51 @@ impl Piece {
 
 impl Pieces {
     /// Splits facets into triangles, exactly, in projections of them. Polygons whose vertices are
-    /// off a plane are split, too. `coplanar`: largest angle in degrees by which a polygon may
-    /// bend. Expected O(n log n) for n inputs of the facets.
+    /// off a plane are split, too. Edges and facets go through the `isolated` vertices on them.
+    /// Expected O(n log n) for n inputs of the facets.
     pub fn new(
         points: &[[f64; 3]],
-        inputs: &Inputs,
-        facets: &Facets,
-        segments: &Segments,
-        coplanar: f64,
+        task: &TaskInSpace<'_>,
+        isolated: &Isolated,
         poll: Poll<'_>,
     ) -> Result<Self> {
+        let TaskInSpace { inputs, facets, segments, coplanar, .. } = *task;
         let mut pieces = Self::default();
+        let mut maker = Maker { points, coplanar, isolated, pieces: &mut pieces };
         match facets.are_triangles {
-            true => pieces.add_triangles(points, inputs, facets)?,
-            false => {
-                let mut maker = Maker { points, coplanar, pieces: &mut pieces };
-                maker.add_polygons(inputs, facets, segments, poll)?;
-            }
+            true => maker.add_triangles(inputs, facets, poll)?,
+            false => maker.add_polygons(inputs, facets, segments, poll)?,
         }
         for (segment, ends) in (0u32..).zip(&segments.inputs) {
             let ends = ends.map(|end| inputs.vertices()[end as usize]);
-            pieces.all.try_push(Piece::of_segment(ends, Feature::Segment(segment)))?;
+            for part in isolated.chain(ends) {
+                pieces.all.try_push(Piece::of_segment(part, Feature::Segment(segment)))?;
+            }
         }
         Ok(pieces)
     }
 
-    fn add_triangles(
-        &mut self,
-        points: &[[f64; 3]],
-        inputs: &Inputs,
-        facets: &Facets,
-    ) -> Result<()> {
-        self.all = with_capacity(facets.count())?;
-        for (facet, own) in (0u32..).zip(facets.inputs.chunks_exact(3)) {
-            let vertices: [u32; 3] = std::array::from_fn(|k| inputs.vertices()[own[k] as usize]);
-            let feature = Feature::Facet(facet);
-            let corners = vertices.map(|vertex| &points[vertex as usize]);
-            match Projection::of_triangle(corners) {
-                Some(_) => {
-                    self.all.try_push(Piece::of_triangle(vertices, INTERIOR, feature))?;
+    /// Returns the edges of facets and segments, the smaller vertex first, each once; sorted.
+    pub fn edges(&self) -> AllocResult<Vec<[u32; 2]>> {
+        let mut edges = Vec::new();
+        for piece in &self.all {
+            let own = piece.vertices();
+            let sides: &[[usize; 2]] = match own.len() {
+                3 => &[[0, 1], [1, 2], [2, 0]],
+                _ => &[[0, 1]],
+            };
+            for &[from, to] in sides {
+                let face: Face = 1 << from | 1 << to;
+                let is_inner = own.len() == 3 && piece.inner >> face & 1 == 1;
+                if !is_inner {
+                    edges.try_push([own[from].min(own[to]), own[from].max(own[to])])?;
                 }
-                None => self.note_zero_area(feature, corners[0])?,
             }
         }
-        Ok(())
+        edges.try_extend(&self.lines)?;
+        edges.sort_unstable();
+        edges.dedup();
+        Ok(edges)
     }
 
     fn note_zero_area(&mut self, facet: Feature, point: &[f64; 3]) -> AllocResult<()> {
@@ -117,10 +129,30 @@ impl Pieces {
 struct Maker<'a> {
     points: &'a [[f64; 3]],
     coplanar: f64,
+    isolated: &'a Isolated,
     pieces: &'a mut Pieces,
 }
 
 impl Maker<'_> {
+    fn add_triangles(&mut self, inputs: &Inputs, facets: &Facets, poll: Poll<'_>) -> Result<()> {
+        let vertex = |input: u32| inputs.vertices()[input as usize];
+        self.pieces.all = with_capacity(facets.count())?;
+        for (facet, own) in (0u32..).zip(facets.inputs.chunks_exact(3)) {
+            let vertices = [own[0], own[1], own[2]].map(vertex);
+            let feature = Feature::Facet(facet);
+            let corners = vertices.map(|vertex| &self.points[vertex as usize]);
+            if Projection::of_triangle(corners).is_none() {
+                self.pieces.note_zero_area(feature, corners[0])?;
+            } else if self.isolated.splits(vertices) || !self.isolated.within(facet).is_empty() {
+                let polygon = Polygon::new([own].into_iter(), vertex, self.isolated, facet)?;
+                self.add_polygon(facet, &polygon, &[], poll)?;
+            } else {
+                self.pieces.all.try_push(Piece::of_triangle(vertices, INTERIOR, feature))?;
+            }
+        }
+        Ok(())
+    }
+
     fn add_polygons(
         &mut self,
         inputs: &Inputs,
@@ -131,12 +163,15 @@ impl Maker<'_> {
         let vertex = |input: u32| inputs.vertices()[input as usize];
         let mut polygons = with_capacity(facets.count())?;
         for facet in 0..facets.count() {
-            polygons.push(Polygon::new(facets.loops(facet), vertex)?);
+            let loops = facets.loops(facet);
+            polygons.push(Polygon::new(loops, vertex, self.isolated, facet as u32)?);
         }
-        let edges = Edges::new(&polygons, segments.inputs.iter().map(|ends| ends.map(vertex)))?;
+        let parts = segments.inputs.iter().flat_map(|ends| self.isolated.chain(ends.map(vertex)));
+        let edges = Edges::new(&polygons, parts)?;
         for (facet, polygon) in (0u32..).zip(&polygons) {
             poll(1)?;
-            self.add_polygon(facet, polygon, &edges, poll)?;
+            let adopted = edges.within(polygon)?;
+            self.add_polygon(facet, polygon, &adopted, poll)?;
         }
         Ok(())
     }
@@ -145,7 +180,7 @@ impl Maker<'_> {
         &mut self,
         facet: u32,
         polygon: &Polygon,
-        edges: &Edges,
+        adopted: &[[u32; 2]],
         poll: Poll<'_>,
     ) -> Result<()> {
         let feature = Feature::Facet(facet);
@@ -156,21 +191,20 @@ impl Maker<'_> {
             let first = self.points[polygon.vertices[0] as usize];
             return Ok(self.pieces.note_zero_area(feature, &first)?);
         };
-        let adopted = edges.within(polygon)?;
-        let Some(tiling) = polygon.tiling(self.points, &plane, &adopted, poll)? else {
-            self.note_meeting_itself(polygon, &plane, feature)?;
+        let off = plane.farthest(self.points, &polygon.vertices);
+        let off = off.filter(|_| self.pieces.off_plane.is_none()).map(|off| (facet, off));
+        let Some(tiling) = polygon.tiling(self.points, &plane, adopted, poll)? else {
+            self.pieces.off_plane = self.pieces.off_plane.or(off);
+            let (kind, point) = meeting_of_edges(self.points, polygon, &plane)?;
+            self.pieces.note(feature, kind, point)?;
             return Ok(self.add_edges(polygon, feature)?);
         };
         if tiling.triangles.is_empty() {
             let first = self.points[polygon.vertices[0] as usize];
             self.pieces.note_zero_area(feature, &first)?;
         }
-        if self.pieces.off_plane.is_none() {
-            let off = plane.farthest(self.points, &polygon.vertices);
-            if let Some(off) = off {
-                let is_flat = are_flat(self.points, &tiling.triangles, self.coplanar)?;
-                self.pieces.off_plane = (!is_flat).then_some((facet, off));
-            }
+        if off.is_some() && !are_flat(self.points, &tiling.triangles, self.coplanar)? {
+            self.pieces.off_plane = off;
         }
         Ok(self.add_tiling(&tiling, feature)?)
     }
@@ -193,17 +227,6 @@ impl Maker<'_> {
             self.pieces.all.try_push(Piece::of_segment(ends, feature))?;
         }
         Ok(())
-    }
-
-    /// Notes a fault of a polygon whose edges meet in the projection of its plane.
-    fn note_meeting_itself(
-        &mut self,
-        polygon: &Polygon,
-        plane: &Plane,
-        feature: Feature,
-    ) -> Result<()> {
-        let (kind, point) = meeting_of_edges(self.points, polygon, plane)?;
-        Ok(self.pieces.note(feature, kind, point)?)
     }
 }
 

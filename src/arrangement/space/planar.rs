@@ -11,7 +11,6 @@ use std::collections::VecDeque;
 const FLIPS_OF_A_POLL: u32 = 2;
 
 /// Triangulation of the convex hull of points.
-#[derive(Default)]
 pub(super) struct Planar {
     points: Vec<[f64; 2]>,
     /// Vertices of the triangles, counterclockwise.
@@ -34,15 +33,19 @@ struct Side {
 }
 
 impl Planar {
-    /// Makes the Delaunay triangulation of distinct points; without triangles if they are all on
-    /// one line. O(n log n), and O(1) for each flip.
-    pub fn new(points: Vec<[f64; 2]>, poll: Poll<'_>) -> Result<Self> {
-        let triangles = swept(&points)?;
+    /// Makes the Delaunay triangulation of points; without triangles if they are all on one line.
+    /// `None` if two are equal. O(n log n), and O(1) for each flip.
+    pub fn new(points: Vec<[f64; 2]>, poll: Poll<'_>) -> Result<Option<Self>> {
+        let order = sorted(&points)?;
+        if order.windows(2).any(|two| points[two[0] as usize] == points[two[1] as usize]) {
+            return Ok(None);
+        }
+        let triangles = swept(&points, &order)?;
         let (neighbors, at) = linked(&triangles, points.len())?;
         let is_fixed = filled(triangles.len(), [false; 3])?;
         let mut made = Self { points, triangles, neighbors, is_fixed, at, fan: Vec::new() };
         made.flip_to_delaunay(poll)?;
-        Ok(made)
+        Ok(Some(made))
     }
 
     /// Makes an edge between two vertices a part of the triangulation, and fixes it. Returns false
@@ -260,20 +263,24 @@ fn position(three: &[u32; 3], value: u32) -> usize {
     if three[0] == value { 0 } else { 1 + usize::from(three[1] != value) }
 }
 
-/// Returns triangles of the convex hull of points, by a sweep from left to right: each point makes
-/// triangles with the edges of the hull that it sees. O(n log n).
-fn swept(points: &[[f64; 2]]) -> AllocResult<Vec<[u32; 3]>> {
+/// Returns points from left to right, of those above each other the lowest first.
+fn sorted(points: &[[f64; 2]]) -> AllocResult<Vec<u32>> {
     let mut order = collected(0..points.len() as u32)?;
-    let point = |vertex: u32| &points[vertex as usize];
-    let ordered = |a: &u32, b: &u32| {
-        let [[a, b], [c, d]] = [*point(*a), *point(*b)];
+    order.sort_unstable_by(|&a, &b| {
+        let [[a, b], [c, d]] = [points[a as usize], points[b as usize]];
         // Zeros of either sign are equal.
         (a + 0.0).total_cmp(&(c + 0.0)).then((b + 0.0).total_cmp(&(d + 0.0)))
-    };
-    order.sort_unstable_by(ordered);
+    });
+    Ok(order)
+}
+
+/// Returns triangles of the convex hull of distinct points, by a sweep in their order: each point
+/// makes triangles with the edges of the hull that it sees. O(n).
+fn swept(points: &[[f64; 2]], order: &[u32]) -> AllocResult<Vec<[u32; 3]>> {
+    let point = |vertex: u32| &points[vertex as usize];
     let mut triangles = with_capacity(2 * points.len())?;
     let mut chains: [Vec<u32>; 2] = [with_capacity(points.len())?, with_capacity(points.len())?];
-    for next in order {
+    for &next in order {
         for (is_upper, chain) in [false, true].into_iter().zip(&mut chains) {
             while let [.., a, b] = chain[..] {
                 let turn = orientation(&[point(a), point(b), point(next)]);

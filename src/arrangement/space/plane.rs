@@ -55,8 +55,7 @@ impl Plane {
         if !vertices.iter().any(|&vertex| is_off(point(vertex))) {
             return None;
         }
-        let largest = |k: usize| vertices.iter().fold(0.0f64, |x, &v| x.max(point(v)[k].abs()));
-        let units: [f64; 3] = std::array::from_fn(|k| unit_in_last_place(largest(k)));
+        let units = units_of(vertices.iter().map(|&vertex| point(vertex)));
         let gauge = Gauge::new([a, b, c], units);
         let mut worst = (1.0, None);
         for &vertex in vertices.iter().filter(|&&vertex| is_off(point(vertex))) {
@@ -70,7 +69,7 @@ impl Plane {
 }
 
 /// Distances from a plane, and what rounding explains of them.
-struct Gauge<'a> {
+pub(super) struct Gauge<'a> {
     base: [&'a [f64; 3]; 3],
     /// Normal of the plane: twice the projected areas of the base, divided by 2^`exponent`.
     normal: [f64; 3],
@@ -78,10 +77,12 @@ struct Gauge<'a> {
     /// Units of the axes, divided by 2^`unit_exponent`.
     units: [f64; 3],
     unit_exponent: i64,
+    raw_units: [f64; 3],
 }
 
 impl<'a> Gauge<'a> {
-    fn new(base: [&'a [f64; 3]; 3], units: [f64; 3]) -> Self {
+    /// Makes the gauge of a plane through three points, with units in the last place by axis.
+    pub fn new(base: [&'a [f64; 3]; 3], units: [f64; 3]) -> Self {
         let areas = Projection::ALL.map(|projection| area(projection, base));
         let exponents = areas.iter().filter(|(m, _)| *m != 0.0).map(|&(_, exponent)| exponent);
         let exponent = exponents.max().unwrap_or(0);
@@ -93,12 +94,29 @@ impl<'a> Gauge<'a> {
             exponent,
             units: units.map(|unit| scale_by_power(unit, -unit_exponent)),
             unit_exponent,
+            raw_units: units,
         }
+    }
+
+    /// Returns false only if no point of a box is near the plane. Where numbers overflow, comparisons
+    /// with NaN leave it true.
+    pub fn may_meet(&self, [low, high]: [&[f64; 3]; 2]) -> bool {
+        const ROUNDINGS: f64 = 1e-12;
+        let (mut value, mut reach) = (0.0, 0.0);
+        for k in 0..3 {
+            let middle = (0.5 * low[k] + 0.5 * high[k]) - self.base[0][k];
+            let half = 0.5 * high[k] - 0.5 * low[k];
+            value += self.normal[k] * middle;
+            let margin = ROUNDINGS * middle.abs() + 64.0 * self.raw_units[k];
+            reach += self.normal[k].abs() * (half + margin);
+        }
+        let is_apart = value.abs() > reach;
+        !is_apart
     }
 
     /// Returns the distance of a point from the plane, first in what rounding explains at most, and
     /// then as a length.
-    fn measure(&self, x: &[f64; 3]) -> (f64, f64) {
+    pub fn measure(&self, x: &[f64; 3]) -> (f64, f64) {
         let [a, b, c] = self.base;
         let (volume, exponent) = Edges::new(a, [b, c, x].into_iter()).determinant_of_components();
         let volume = |shift: i64| scale_by_power(volume.abs(), exponent - self.exponent - shift);
@@ -123,6 +141,13 @@ impl<'a> Gauge<'a> {
             .iter()
             .sum()
     }
+}
+
+/// Returns for each axis the unit in the last place of the largest coordinate of points.
+pub(super) fn units_of<'a>(points: impl Iterator<Item = &'a [f64; 3]>) -> [f64; 3] {
+    let larger =
+        |largest: [f64; 3], x: &[f64; 3]| std::array::from_fn(|k| largest[k].max(x[k].abs()));
+    points.fold([0.0; 3], larger).map(unit_in_last_place)
 }
 
 /// Returns twice the area of a projected triangle as `(m, e)`: m * 2^e.

@@ -1,5 +1,6 @@
 //! A polygon facet as triangles between its vertices.
 
+use super::isolated::Isolated;
 use super::meet::Face;
 use super::planar::Planar;
 use super::plane::Plane;
@@ -41,6 +42,10 @@ pub(super) struct Tiling {
     pub lines_inside: usize,
 }
 
+fn copied_vertices(own: &[(u32, u32)]) -> AllocResult<Vec<u32>> {
+    collected(own.iter().map(|&(_, vertex)| vertex))
+}
+
 /// Bit for the interior of a triangle.
 pub(super) const INTERIOR: u8 = 1 << 0b111;
 
@@ -54,38 +59,43 @@ struct Depth {
 
 impl Polygon {
     /// Makes the polygon of loops of vertices: three or more are a loop of sides, two a segment and
-    /// one a vertex. Vertices that repeat the one before them count once.
+    /// one a vertex. Vertices that repeat the one before them count once. Sides and segments go
+    /// through the inputs that are on them, and those in the `facet` are vertices.
     pub fn new<'a>(
-        loops: impl Iterator<Item = &'a [u32]> + Clone,
+        loops: impl Iterator<Item = &'a [u32]>,
         vertex: impl Fn(u32) -> u32,
+        isolated: &Isolated,
+        facet: u32,
     ) -> AllocResult<Self> {
-        let mut vertices = Vec::new();
-        for &input in loops.clone().flatten() {
-            vertices.try_push(vertex(input))?;
+        let mut vertices = copied_vertices(isolated.within(facet))?;
+        let mut all = Vec::new();
+        let mut is_first = true;
+        for own in loops {
+            let is_line = own.len() == 2;
+            for (k, &from) in own.iter().enumerate() {
+                let [from, to] = [from, own[(k + 1) % own.len()]].map(&vertex);
+                vertices.try_push(from)?;
+                if from == to || is_line && k == 1 {
+                    continue;
+                }
+                for ends in isolated.chain([from, to]) {
+                    let [from, to] = ends;
+                    vertices.try_push(to)?;
+                    let winding = match (is_first && !is_line, from < to) {
+                        (false, _) => 0,
+                        (true, true) => 1,
+                        (true, false) => -1,
+                    };
+                    let ends = [from.min(to), from.max(to)];
+                    all.try_push(PolygonEdge { ends, sides: u32::from(!is_line), winding })?;
+                }
+            }
+            is_first &= own.len() < 3;
         }
         vertices.sort_unstable();
         vertices.dedup();
-        let at = |input: u32| vertices.partition_point(|&own| own < vertex(input)) as u32;
-        let mut all = Vec::new();
-        let mut is_first = true;
-        for own in loops.filter(|own| own.len() > 1) {
-            let is_line = own.len() == 2;
-            let ends = if is_line { 1 } else { own.len() };
-            for k in 0..ends {
-                let [from, to] = [own[k], own[(k + 1) % own.len()]].map(at);
-                if from == to {
-                    continue;
-                }
-                let winding = match (is_first && !is_line, from < to) {
-                    (false, _) => 0,
-                    (true, true) => 1,
-                    (true, false) => -1,
-                };
-                let ends = [from.min(to), from.max(to)];
-                all.try_push(PolygonEdge { ends, sides: u32::from(!is_line), winding })?;
-            }
-            is_first &= is_line;
-        }
+        let at = |vertex: u32| vertices.partition_point(|&own| own < vertex) as u32;
+        all.iter_mut().for_each(|edge| edge.ends = edge.ends.map(at));
         all.sort_unstable();
         let mut edges: Vec<PolygonEdge> = Vec::new();
         for edge in all {
@@ -111,7 +121,7 @@ impl Polygon {
     }
 
     /// Returns the triangles of the polygon in a projection in which its plane does not vanish;
-    /// `None` if its edges meet each other or a vertex between their ends. Edges that are `adopted`
+    /// `None` if vertices have one image, or edges meet each other or a vertex between their ends. Edges that are `adopted`
     /// are edges of triangles, too, where they meet no edge of the polygon. The polygon is without
     /// triangles if it has no area.
     pub fn tiling(
@@ -122,7 +132,8 @@ impl Polygon {
         poll: Poll<'_>,
     ) -> Result<Option<Tiling>> {
         let image = |&vertex: &u32| plane.projection.image(&points[vertex as usize]);
-        let mut planar = Planar::new(collected(self.vertices.iter().map(image))?, poll)?;
+        let images = collected(self.vertices.iter().map(image))?;
+        let Some(mut planar) = Planar::new(images, poll)? else { return Ok(None) };
         for edge in &self.edges {
             if !planar.fix(edge.ends, poll)? {
                 return Ok(None);

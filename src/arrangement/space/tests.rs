@@ -3,7 +3,7 @@
 use super::oracle;
 use super::*;
 use crate::error::ErrorKind;
-use crate::mesh::IntersectionKind::{self, Cross, Overlap, Touch, ZeroArea};
+use crate::mesh::IntersectionKind::{self, Cross, ZeroArea};
 use crate::numerics::testing::Random;
 use crate::options::Interior;
 
@@ -68,15 +68,15 @@ impl Case {
     }
 }
 
-fn pairs(found: &[Intersection]) -> Vec<(Feature, Feature, IntersectionKind)> {
+pub(super) fn pairs(found: &[Intersection]) -> Vec<(Feature, Feature, IntersectionKind)> {
     found.iter().map(|one| (one.first, one.second, one.kind)).collect()
 }
 
-fn facet(number: u32) -> Feature {
+pub(super) fn facet(number: u32) -> Feature {
     Feature::Facet(number)
 }
 
-const CUBE: [[f64; 3]; 8] = [
+pub(super) const CUBE: [[f64; 3]; 8] = [
     [0.0, 0.0, 0.0],
     [1.0, 0.0, 0.0],
     [1.0, 1.0, 0.0],
@@ -90,7 +90,7 @@ const CUBE: [[f64; 3]; 8] = [
 const SIDES_OF_CUBE: [[u32; 4]; 6] =
     [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]];
 
-fn quads() -> Vec<Vec<Vec<u32>>> {
+pub(super) fn quads() -> Vec<Vec<Vec<u32>>> {
     SIDES_OF_CUBE.iter().map(|side| vec![side.to_vec()]).collect()
 }
 
@@ -150,7 +150,7 @@ fn pairs_of_fractions(case: &Case) -> Vec<(Feature, Feature, IntersectionKind)> 
 
 #[test]
 fn a_cube_has_six_facets_and_twelve_lines_at_all_scales() {
-    for scale in [1.0, 2f64.powi(-1074), 1e-300, 1e300, f64::MAX] {
+    for scale in [1.0, f64::from_bits(1), 1e-300, 1e300, f64::MAX] {
         let points = CUBE.map(|x| x.map(|x| x * scale));
         let surface = Case::surface(&points, &halves()).arrangement();
         let polygons = Case::polygons(&points, &quads()).arrangement();
@@ -180,175 +180,6 @@ fn markers_keep_triangles_apart() {
 }
 
 #[test]
-fn triangles_of_polygons_turn_as_their_first_loops() {
-    let made = Case::polygons(&CUBE, &quads()).arrangement();
-    // The volume by the divergence theorem: positive as normals point outwards.
-    let volume: f64 = made.triangles.iter().map(|own| signed_volume(own.vertices)).sum();
-    assert_eq!(volume, 6.0);
-    let mut turned = quads();
-    turned.iter_mut().for_each(|polygon| polygon[0].reverse());
-    let made = Case::polygons(&CUBE, &turned).arrangement();
-    let volume: f64 = made.triangles.iter().map(|own| signed_volume(own.vertices)).sum();
-    assert_eq!(volume, -6.0);
-}
-
-fn signed_volume(triangle: [u32; 3]) -> f64 {
-    let [a, b, c] = triangle.map(|vertex| CUBE[vertex as usize]);
-    let minor = |k: usize| b[(k + 1) % 3] * c[(k + 2) % 3] - b[(k + 2) % 3] * c[(k + 1) % 3];
-    (0..3).map(|k| a[k] * minor(k)).sum()
-}
-
-/// A plate with a hole, an inner segment and an inner vertex, in a plane that no axis is parallel
-/// to, where the hole holds an island.
-#[test]
-fn polygons_have_holes_islands_segments_and_vertices() {
-    let plane: [[f64; 2]; 15] = [
-        [0.0, 0.0],
-        [8.0, 0.0],
-        [8.0, 8.0],
-        [0.0, 8.0],
-        [2.0, 2.0],
-        [6.0, 2.0],
-        [6.0, 6.0],
-        [2.0, 6.0],
-        [3.0, 3.0],
-        [5.0, 3.0],
-        [5.0, 5.0],
-        [3.0, 5.0],
-        [1.0, 1.0],
-        [7.0, 1.0],
-        [7.0, 7.0],
-    ];
-    let tilts: [fn(f64, f64) -> [f64; 3]; 3] = [
-        |x, y| [x, y, 2.0 * x - 3.0 * y],
-        |x, y| [x + 4.0 * y, 8.0 * x - y, x],
-        |x, y| [1.0 - x, 5.0, y],
-    ];
-    for tilt in tilts {
-        let points = plane.map(|[x, y]| tilt(x, y));
-        let plate =
-            vec![vec![0, 1, 2, 3], vec![4, 5, 6, 7], vec![11, 10, 9, 8], vec![12, 13], vec![14]];
-        let made = Case::polygons(&points, &[plate]).arrangement();
-        let area = |own: &FacetTriangle| {
-            let [a, b, c] = own.vertices.map(|vertex| plane[vertex as usize]);
-            (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-        };
-        assert!(made.triangles.iter().all(|own| area(own) > 0.0));
-        assert_eq!(made.triangles.iter().map(area).sum::<f64>(), 2.0 * (64.0 - 16.0 + 4.0));
-        assert!(made.triangles.iter().any(|own| own.vertices.contains(&14)));
-        let mut lines: Vec<[u32; 2]> = made.subsegments.iter().map(|line| line.ends).collect();
-        let mut expected: Vec<[u32; 2]> = (0..3u32)
-            .flat_map(|at| (0..4).map(move |k| [4 * at + k, 4 * at + (k + 1) % 4]))
-            .chain([[12, 13]])
-            .map(|[a, b]| [a.min(b), a.max(b)])
-            .collect();
-        lines.sort_unstable();
-        expected.sort_unstable();
-        assert_eq!(lines, expected);
-        assert!(made.subsegments.iter().all(|line| line.segment == NONE));
-    }
-}
-
-/// Random polygons that are stars about a point: the area of their triangles is that of the loop,
-/// all edges of the loop are there, and no vertex is inside a triangle.
-#[test]
-fn triangles_tile_polygons() {
-    let mut random = Random(11);
-    for trial in 0..200 {
-        let count = 3 + trial % 40;
-        let mut angles: Vec<f64> =
-            (0..count).map(|_| random.unit() * std::f64::consts::PI).collect();
-        angles.sort_by(f64::total_cmp);
-        angles.dedup();
-        let widest = angles
-            .windows(2)
-            .map(|two| two[1] - two[0])
-            .fold(2.0 * std::f64::consts::PI + angles[0] - angles[angles.len() - 1], f64::max);
-        if angles.len() < 3 || widest > 3.0 {
-            continue;
-        }
-        let scale = (1u64 << 40) as f64;
-        let points: Vec<[f64; 3]> = angles
-            .iter()
-            .map(|angle| {
-                let radius = 2.0 + random.unit();
-                let [x, y] = [angle.cos(), angle.sin()].map(|x| (radius * x * scale).round());
-                [x, x - y, y]
-            })
-            .collect();
-        let own: Vec<u32> = (0..points.len() as u32).collect();
-        let made = Case::polygons(&points, &[vec![own.clone()]]).arrangement();
-        let area = |a: u32, b: u32, c: u32| {
-            let [a, b, c] = [a, b, c].map(|v| points[v as usize].map(|x| x as i128));
-            (b[0] - a[0]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[0] - a[0])
-        };
-        let mut total = 0;
-        for FacetTriangle { vertices: [a, b, c], .. } in &made.triangles {
-            assert!(area(*a, *b, *c) > 0);
-            total += area(*a, *b, *c);
-            let is_in =
-                |v: &u32| area(*a, *b, *v) > 0 && area(*b, *c, *v) > 0 && area(*c, *a, *v) > 0;
-            assert!(!own.iter().any(is_in));
-        }
-        let last = own.len() as u32 - 1;
-        let expected: i128 = (1..last).map(|v| area(0, v, v + 1)).sum();
-        assert_eq!(total, expected);
-        assert_eq!(made.triangles.len(), own.len() - 2);
-        assert_eq!(made.subsegments.len(), own.len());
-    }
-}
-
-#[test]
-fn loops_that_meet_are_refused() {
-    let square = [[0.0, 0.0, 1.0], [4.0, 0.0, 1.0], [4.0, 4.0, 1.0], [0.0, 4.0, 1.0]];
-    let with = |more: &[[f64; 3]]| [&square[..], more].concat();
-    let bow = Case::polygons(&square, &[vec![vec![0, 2, 1, 3]]]);
-    assert_eq!(pairs(&bow.intersections()), [(facet(0), facet(0), Cross)]);
-    assert_eq!(bow.intersections()[0].point, [2.0, 2.0, 1.0]);
-    assert_eq!(
-        bow.refusal(),
-        "facets[0] crosses itself near (2, 2, 1); facets and segments may meet only in vertices and \
-         edges of both"
-    );
-    let touching = with(&[[2.0, 0.0, 1.0], [3.0, 1.0, 1.0], [1.0, 1.0, 1.0]]);
-    let touching = Case::polygons(&touching, &[vec![vec![0, 1, 2, 3], vec![4, 5, 6]]]);
-    assert_eq!(pairs(&touching.intersections()), [(facet(0), facet(0), Touch)]);
-    assert_eq!(touching.intersections()[0].point, [2.0, 0.0, 1.0]);
-    let along = with(&[[1.0, 0.0, 1.0], [3.0, 0.0, 1.0], [2.0, 1.0, 1.0]]);
-    let along = Case::polygons(&along, &[vec![vec![0, 1, 2, 3], vec![4, 5, 6]]]);
-    assert_eq!(pairs(&along.intersections()), [(facet(0), facet(0), Overlap)]);
-    let vertex = with(&[[2.0, 0.0, 1.0]]);
-    let vertex = Case::polygons(&vertex, &[vec![vec![0, 1, 2, 3], vec![4]]]);
-    assert_eq!(pairs(&vertex.intersections()), [(facet(0), facet(0), Touch)]);
-    assert_eq!(vertex.intersections()[0].point, [2.0, 0.0, 1.0]);
-    let line = [[0.0; 3], [1.0, 2.0, 3.0], [2.0, 4.0, 6.0], [-1.0, -2.0, -3.0]];
-    let line = Case::polygons(&line, &[vec![vec![0, 1, 2, 3]]]);
-    assert_eq!(pairs(&line.intersections()), [(facet(0), facet(0), ZeroArea)]);
-    assert!(line.refusal().starts_with("facets[0] has no area near (0, 0, 0);"));
-}
-
-/// A wall on the diagonal by which a side of the cube is split is a fault of the facets, whatever
-/// the triangles of the side are, unless the side has the wall's edge.
-#[test]
-fn diagonals_of_a_facet_are_its_interior() {
-    let mut points = CUBE.to_vec();
-    points.extend([[0.0, 0.0, -1.0], [1.0, 1.0, -1.0], [0.5, 0.5, 2.0], [0.25, 0.25, -1.0]]);
-    for first in 0..4 {
-        let mut polygons = quads();
-        polygons[0][0].rotate_left(first);
-        let mut case = polygons.clone();
-        // Through the plate, along a part of its diagonal.
-        case.push(vec![vec![8, 9, 10]]);
-        let found = pairs(&Case::polygons(&points, &case).intersections());
-        assert!(found.contains(&(facet(0), facet(6), Cross)), "{found:?}");
-        // Standing on the plate's diagonal, by number: the plate gets it as an edge.
-        polygons.push(vec![vec![0, 2, 9, 8]]);
-        let made = Case::polygons(&points, &polygons).arrangement();
-        assert_eq!((made.triangles.len(), made.subsegments.len()), (14, 12 + 4));
-    }
-}
-
-#[test]
 fn segments_are_lines() {
     let mut points = CUBE.to_vec();
     points.extend([[0.25, 0.5, 0.5], [0.75, 0.5, 0.5]]);
@@ -370,41 +201,6 @@ fn segments_are_lines() {
     );
 }
 
-/// A facet of two inputs is a segment.
-#[test]
-fn facets_of_two_inputs_are_lines() {
-    let mut points = CUBE.to_vec();
-    points.extend([[0.25, 0.5, 0.5], [0.75, 0.5, 0.5], [0.5, 0.5, 0.25], [0.5, 0.5, 0.75]]);
-    let mut polygons = quads();
-    polygons.push(vec![vec![8, 9]]);
-    let made = Case::polygons(&points, &polygons).arrangement();
-    assert!(made.subsegments.iter().any(|line| (line.ends, line.segment) == ([8, 9], NONE)));
-    polygons[6].push(vec![10, 11]);
-    let found = Case::polygons(&points, &polygons).intersections();
-    assert_eq!(pairs(&found), [(facet(6), facet(6), Cross)]);
-}
-
-#[test]
-fn polygons_off_a_plane_are_refused_by_name() {
-    let mut points = CUBE;
-    points[2][2] = 0.25;
-    let case = Case::polygons(&points, &quads());
-    let message = case.refusal();
-    assert!(message.starts_with("facets[0] is not plane: its input "), "{message}");
-    // The plane bends by more than 10 degrees and less than 40 there.
-    assert!(case.arranged(10.0).is_err());
-    assert_eq!(case.arranged(40.0).unwrap().facets.len(), 6);
-    // Roundings are no fault.
-    for ulps in [-3i64, -1, 1, 3] {
-        let mut points = CUBE.map(|x| x.map(|x| x + 1.0));
-        points[2][2] = f64::from_bits(points[2][2].to_bits().wrapping_add_signed(ulps));
-        assert_eq!(Case::polygons(&points, &quads()).arrangement().facets.len(), 6);
-    }
-    let mut points = CUBE.map(|x| x.map(|x| x + 1.0));
-    points[2][2] = f64::from_bits(points[2][2].to_bits() + 40);
-    assert!(Case::polygons(&points, &quads()).refusal().contains("is not plane"));
-}
-
 #[test]
 fn surfaces_enclose_what_they_divide() {
     let tetrahedron = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
@@ -421,6 +217,10 @@ fn surfaces_enclose_what_they_divide() {
     assert!(!seeds(&[[0, 3, 1], [0, 3, 2], [0, 3, 4], [0, 3, 6]], &points));
     let with_wall = [&tetrahedron[..], &[[0, 3, 4]]].concat();
     assert!(seeds(&with_wall, &points));
+    // The order of the triangles around an edge is not that of their numbers.
+    assert!(seeds(&[&[[0, 3, 4]], &tetrahedron[..]].concat(), &points));
+    let backwards: Vec<[u32; 3]> = tetrahedron.iter().rev().copied().collect();
+    assert!(seeds(&[&[[0, 3, 4]], &backwards[..]].concat(), &points));
     let open_with_wall = [&tetrahedron[..3], &[[0, 3, 4]]].concat();
     assert!(!seeds(&open_with_wall, &points));
     let case = Case::surface(&points, &with_wall);
@@ -489,4 +289,85 @@ fn a_poll_may_end_the_work() {
         });
         assert_eq!(result.unwrap_err().kind(), ErrorKind::Cancelled);
     }
+}
+
+/// Inputs that no facet has are on edges and facets nevertheless: exactly, or up to roundings. The
+/// edges and facets go through them, and those elsewhere change nothing.
+#[test]
+fn edges_and_facets_go_through_inputs_on_them() {
+    let mut points = CUBE.map(|x| x.map(|x| x + 1.0)).to_vec();
+    let above = 1.0 + f64::EPSILON;
+    points.extend([
+        [1.5, 1.0, 1.0],
+        [1.25, 1.0, above],
+        [1.5, 1.75, 1.0],
+        [1.25, 1.5, 2.0 + 2.0 * f64::EPSILON],
+        [1.5; 3],
+        [1.5, 1.5, 2.0],
+        [1.5, 1.25, 1.0 + 1e-9],
+        [1.5, 3.0, 1.0],
+    ]);
+    let surface = Case::surface(&points, &halves());
+    let polygons = Case::polygons(&points, &quads());
+    for case in [surface, polygons] {
+        let made = case.arrangement();
+        assert_eq!((made.facets.len(), made.subsegments.len()), (6, 14));
+        let lines: Vec<[u32; 2]> = made.subsegments.iter().map(|line| line.ends).collect();
+        for line in [[0, 9], [8, 9], [1, 8]] {
+            assert!(lines.contains(&line), "{lines:?}");
+        }
+        let with = |vertex: u32| -> Vec<u32> {
+            let own = made.triangles.iter().filter(|one| one.vertices.contains(&vertex));
+            let mut facets: Vec<u32> = own.map(|one| one.facet).collect();
+            facets.dedup();
+            facets
+        };
+        assert_eq!(
+            [8, 9, 10, 11, 13].map(with),
+            [vec![0, 2], vec![0, 2], vec![0], vec![1], vec![1]]
+        );
+        assert_eq!([12, 14, 15].map(with), [vec![], vec![], vec![]] as [Vec<u32>; 3]);
+        // Two more triangles for each vertex in a facet, and one on each side of an edge.
+        assert_eq!(made.triangles.len(), 12 + 3 * 2 + 2 * 2);
+        assert_eq!((made.near_inputs, made.farthest_near_input > 0.0), (2, true));
+        assert!(encloses_in_space(&case.inputs, &made, Interior::Winding).unwrap());
+    }
+    let segments = Case::polygons(&points, &quads()).with_segments(&[[1, 0], [0, 1], [12, 14]]);
+    let made = segments.arrangement();
+    let own: Vec<_> = made.subsegments.iter().map(|line| (line.ends, line.segment)).collect();
+    assert_eq!(own[..4], [([1, 8], 0), ([8, 9], 0), ([9, 0], 0), ([12, 14], 2)]);
+    assert_eq!(made.covered_segments, 1);
+}
+
+/// Of a facet that touches another in one place and goes through it in another, the crossing is
+/// told.
+#[test]
+fn the_worst_meeting_of_two_facets_is_told() {
+    let mut points = CUBE.to_vec();
+    let comb =
+        [[0.1, 1.5], [0.2, 0.0], [0.3, 1.5], [0.6, 1.5], [0.7, -1.0], [0.8, 1.5], [0.8, 2.0]];
+    points.extend(comb.iter().map(|&[x, z]| [x, 0.3, z]));
+    let plate = vec![vec![0, 1, 2, 3]];
+    let comb = vec![(8..15).collect()];
+    let found = Case::polygons(&points, &[plate, comb]).intersections();
+    assert_eq!(pairs(&found), [(facet(0), facet(1), Cross)]);
+}
+
+/// A strip that turns by 8 degrees at each edge is no one plane within 10 degrees.
+#[test]
+fn facets_do_not_bend_further_than_the_angle() {
+    let mut points = Vec::new();
+    for k in 0..=6 {
+        let angle = f64::from(8 * k).to_radians();
+        points.extend([0.0, 1.0].map(|z| [10.0 * angle.cos(), 10.0 * angle.sin(), z]));
+    }
+    let strip: Vec<[u32; 3]> = (0..6)
+        .flat_map(|k| [[2 * k, 2 * k + 2, 2 * k + 3], [2 * k, 2 * k + 3, 2 * k + 1]])
+        .collect();
+    let case = Case::surface(&points, &strip);
+    let facets = |degrees: f64| case.arranged(degrees).unwrap().facets.len();
+    assert_eq!(facets(0.0), 6);
+    assert_eq!(facets(7.0), 6);
+    assert!((2..=3).contains(&facets(10.0)), "{}", facets(10.0));
+    assert_eq!(facets(60.0), 1);
 }

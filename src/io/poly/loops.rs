@@ -46,7 +46,7 @@ impl Loops {
         let point = |&corner: &u32| -> [f64; 3] {
             std::array::from_fn(|axis| points[3 * corner as usize + axis])
         };
-        let all = polygons.clone().flatten().flat_map(point);
+        let all = polygons.clone().flatten().flat_map(&point);
         let scale = scale_of(all.fold(0.0, |largest: f64, x| largest.max(x.abs())));
         let scaled = |corner: &u32| point(corner).map(|x| x * scale);
         let normals = polygons.clone().map(|polygon| normal(polygon.iter().map(scaled)));

@@ -30,6 +30,7 @@ impl Mesher<'_, '_, 3> {
         }
         self.state.segments.chains = Chains::new(lines, self.state.delaunay.point_count())?;
         self.state.facets = self.sheets_of(arrangement, &vertices)?;
+        self.state.find_sharp_lines()?;
         self.state.make_sheets_delaunay()?;
         self.recover_boundary(cavity)?;
         self.state.find_regions()?;

@@ -2,7 +2,7 @@
 //! segment becomes a chain of edges, and every facet a sheet of faces, of the exactly Delaunay mesh.
 //!
 //! - `conform`: all of it, in order.
+//! - `sharp`: the lines at which facets or segments meet at small angles.
 
 pub(super) mod conform;
-#[cfg(test)]
-mod tests;
+pub(super) mod sharp;

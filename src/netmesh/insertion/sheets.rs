@@ -103,9 +103,6 @@ impl State<3> {
                 next += 1;
             }
         }
-        for at in 0..made.len() {
-            self.queue_subfacet(made[at])?;
-        }
-        Ok(())
+        made.iter().try_for_each(|&subfacet| self.queue_subfacet(subfacet))
     }
 }

@@ -7,7 +7,7 @@ use crate::memory::{AllocResult, TryGrow};
 use crate::mesh;
 use crate::netmesh::state::hierarchy::{DomainId, ROOT};
 use crate::netmesh::state::segments::chain::Subsegment;
-use crate::netmesh::state::segments::{Crowded, Segments, name_of};
+use crate::netmesh::state::segments::{At, Crowded, Segments, name_of};
 use crate::netmesh::state::{Mesher, State};
 use crate::numerics::{distance, in_diametral_ball};
 
@@ -228,6 +228,14 @@ impl<const D: usize> State<D> {
     }
 
     fn crowded_error(&self, &Crowded { segment, beside, at }: &Crowded) -> Error {
+        if D > 2 {
+            let message = message!(
+                "an edge of the facets or a segment passes a vertex so closely near {} that doubles \
+                 have no room for its subsegments",
+                At(&at.x)
+            );
+            return Error::new(ErrorKind::Limit, message);
+        }
         let [x, y] = at.x;
         let name = name_of(segment);
         let other = beside.filter(|&other| other != segment).map_or("a vertex".into(), name_of);

@@ -36,26 +36,51 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let Some(state) = self.state.in_space() else { return Ok(false) };
         let Some(subfacet) = state.next_missing()? else { return Ok(false) };
         let split = state.split_for(subfacet)?;
-        if !self.split_boundary(split, cavity)? {
-            if let Some(state) = self.state.in_space() {
-                state.limit_subfacet(subfacet);
+        let is_split = self.split_boundary(split, 0.0, cavity)?;
+        if let Some(state) = self.state.in_space() {
+            match is_split {
+                // What was split may have been something in its way.
+                true => state.queue_subfacet(subfacet)?,
+                false => state.limit_subfacet(subfacet),
             }
         }
         Ok(true)
     }
 
-    /// Splits a part of the boundary; false where doubles have no room for a vertex on it.
-    fn split_boundary(&mut self, split: Split, cavity: &mut Cavity) -> Result<bool> {
+    /// Splits a part of the boundary; false where doubles have no room for a vertex on it, or where a
+    /// subsegment would have to be split whose half is shorter than `least`.
+    fn split_boundary(&mut self, split: Split, least: f64, cavity: &mut Cavity) -> Result<bool> {
         match split {
+            Split::Subsegment(subsegment) if self.half_length(subsegment) < least => Ok(false),
             Split::Subsegment(subsegment) => self.split(subsegment, cavity),
-            Split::Subfacet(subfacet, x) => self.split_subfacet(subfacet, &x, cavity),
+            Split::Subfacet(subfacet, x) => self.split_subfacet(subfacet, &x, least, cavity),
         }
     }
 
+    /// Returns half the length of a subsegment of a sharp line; infinity for others.
+    fn half_length(&self, subsegment: u32) -> f64 {
+        let own = self.state.segments.chains.get(subsegment);
+        if !self.state.facets.is_sharp_line(own.line) {
+            return f64::INFINITY;
+        }
+        let ends = own.ends;
+        let [a, b] = ends.map(|end| self.state.delaunay.point(end));
+        0.5 * distance(a, b)
+    }
+
     /// Inserts a vertex at `x` into a facet, or splits the subsegments that it would encroach; false
-    /// where doubles have no room for either.
-    fn split_subfacet(&mut self, subfacet: u32, x: &[f64; 3], cavity: &mut Cavity) -> Result<bool> {
+    /// where doubles have no room for either, or half of such a subsegment is shorter than `least`.
+    fn split_subfacet(
+        &mut self,
+        subfacet: u32,
+        x: &[f64; 3],
+        least: f64,
+        cavity: &mut Cavity,
+    ) -> Result<bool> {
         let Some(state) = self.state.in_space() else { return Ok(false) };
+        if x.iter().any(|x| !x.is_finite()) {
+            return Ok(false);
+        }
         let near = state.facets.get(subfacet).vertices[0];
         let start = state.delaunay.complex().incident(near);
         if state.delaunay.vertex_at(start, x).is_some() {
@@ -65,15 +90,18 @@ impl<const D: usize> Mesher<'_, '_, D> {
         state.delaunay.find_cavity(start, x, cavity)?;
         state.find_encroached_in_space(x, cavity)?;
         let mut encroached = std::mem::take(&mut state.facets.near.subsegments);
-        let mut is_any = false;
+        let (mut is_any, mut is_short) = (false, false);
         for &(subsegment, _) in &encroached {
-            is_any |= self.split(subsegment, cavity)?;
+            match self.half_length(subsegment) < least {
+                true => is_short = true,
+                false => is_any |= self.split(subsegment, cavity)?,
+            }
         }
         encroached.clear();
         let Some(state) = self.state.in_space() else { return Ok(false) };
         state.facets.near.subsegments = encroached;
-        if is_any {
-            return Ok(true);
+        if is_any || is_short {
+            return Ok(is_any);
         }
         // The splits that failed have changed nothing, but have searched cavities of their own.
         let place: [f64; D] = std::array::from_fn(|axis| x[axis]);
@@ -105,7 +133,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         if !state.find_encroached_in_space(&place, cavity)? {
             return Ok(Encroachment::None);
         }
-        state.keep_large(simplex);
+        let least = state.keep_large(simplex);
         let near = std::mem::take(&mut state.facets.near);
         if near.subsegments.is_empty() && near.subfacets.is_empty() {
             return Ok(Encroachment::Refused);
@@ -121,14 +149,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
                     continue;
                 }
                 let split = state.split_for(subfacet)?;
-                is_any |= self.split_boundary(split, cavity)?;
+                is_any |= self.split_boundary(split, least, cavity)?;
             }
         }
         if let Some(state) = self.state.in_space() {
             state.facets.near = near;
         }
         self.recover_boundary(cavity)?;
-        Ok(if is_any { Encroachment::Split } else { Encroachment::TooShort })
+        Ok(if is_any { Encroachment::Split } else { Encroachment::Refused })
     }
 }
 
@@ -218,18 +246,24 @@ impl State<3> {
 
     /// Keeps those of the encroached subsegments and subfacets that are large enough to be split for a
     /// simplex. What is smaller would be split for ever beside small angles of the input: each piece
-    /// would ask for the next.
-    fn keep_large(&mut self, simplex: SimplexId) {
+    /// would ask for the next. Returns the least radius.
+    fn keep_large(&mut self, simplex: SimplexId) -> f64 {
         let vertices = self.delaunay.complex().vertices(simplex);
         let points: [&[f64; 3]; 4] = std::array::from_fn(|at| self.delaunay.point(vertices[at]));
         let least = GUARD * shortest_distance(&points).2;
         let mut near = std::mem::take(&mut self.facets.near);
         near.subsegments.retain(|&(subsegment, _)| {
             let [a, b] = self.segments.chains.get(subsegment).ends;
-            0.5 * distance(self.delaunay.point(a), self.delaunay.point(b)) >= least
+            let line = self.segments.chains.get(subsegment).line;
+            !self.facets.is_sharp_line(line)
+                || 0.5 * distance(self.delaunay.point(a), self.delaunay.point(b)) >= least
         });
-        near.subfacets.retain(|&(subfacet, _)| self.circle_of(subfacet).1 >= least);
+        near.subfacets.retain(|&(subfacet, _)| {
+            let facet = self.facets.get(subfacet).facet;
+            !self.facets.is_sharp_facet(facet) || self.circle_of(subfacet).1 >= least
+        });
         self.facets.near = near;
+        least
     }
 
     /// Leaves a subfacet as it is for which doubles are too coarse.

@@ -188,7 +188,7 @@ impl State<3> {
     /// Returns true if a live simplex stays as it is: one that is flat, or whose neighbours on the
     /// boundary are too small to be split for it.
     pub(in crate::netmesh) fn is_kept(&self, simplex: SimplexId) -> bool {
-        self.facets.is_kept(simplex) || self.is_flat(simplex)
+        self.facets.is_kept(simplex) || self.is_flat(simplex) || self.is_at_small_angle(simplex)
     }
 
     /// Returns true if a live simplex is flat within a facet: it has a face that is a subfacet, and

@@ -49,7 +49,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
             scan = Scan::SpanningDomains;
         }
         while self.refine_scanned(scan, cavity)? {
-            scan = Scan::SpanningDomains;
+            // What stays as it is beside facets depends on more than the simplices there.
+            let is_done = self.state.facets.is_empty();
+            scan = if is_done { Scan::SpanningDomains } else { Scan::All };
         }
         debug_assert!(
             !self.state.is_any_open(),

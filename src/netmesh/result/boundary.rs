@@ -105,6 +105,31 @@ impl<const D: usize> Mesher<'_, '_, D> {
             boundary.subfacet_parents.try_push(parent(subfacet))?;
             boundary.subfacet_simplices.try_push(simplices[subfacet as usize])?;
         }
+        self.add_flat(boundary, numbering)
+    }
+
+    /// Adds the simplices with all vertices on one facet.
+    fn add_flat(&mut self, boundary: &mut Boundary, numbering: &Numbering) -> Result<()> {
+        let (complex, facets) = (self.state.delaunay.complex(), &self.state.facets);
+        if facets.is_empty() {
+            return Ok(());
+        }
+        let facets_at = facets.at_vertices(self.state.delaunay.point_count())?;
+        for simplex in complex.simplices() {
+            self.watch.poll_after(1)?;
+            let number = numbering.simplices[simplex];
+            let vertices = complex.vertices(simplex);
+            if number == NONE || !vertices.iter().all(|&vertex| facets.holds(vertex)) {
+                continue;
+            }
+            let [first, others @ ..] = vertices else { continue };
+            let has = |vertex: &VertexId, facet| facets_at.of(vertex.index()).contains(&facet);
+            let mut own = facets_at.of(first.index()).iter();
+            if own.any(|&facet| others.iter().all(|vertex| has(vertex, facet))) {
+                boundary.flat.try_push(number)?;
+            }
+        }
+        boundary.flat.sort_unstable();
         Ok(())
     }
 

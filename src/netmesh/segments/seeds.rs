@@ -3,15 +3,17 @@
 //! leave the mesh as if it had not been given.
 
 use crate::complex::{SimplexId, VertexId};
-use crate::error::{Choice, Error, ErrorKind, Message, Name, Result, say};
+use crate::error::{Choice, Error, ErrorKind, Message, Name, Result, message, say};
 use crate::memory::{TryGrow, filled};
 use crate::mesh::{NONE, Region};
 use crate::netmesh::state::segments::regions::OUTSIDE;
-use crate::netmesh::state::segments::{Seed, name_of};
+use crate::netmesh::state::segments::walls::Walls;
+use crate::netmesh::state::segments::{At, Seed, name_of};
 use crate::netmesh::state::{Mesher, State};
 use crate::numerics::{Sign, orientation};
 use crate::options::Extent;
 use crate::parameters::Parameters;
+use std::borrow::Cow;
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Finds which regions belong to the domain, and what their seeds say of them. All regions are
@@ -85,7 +87,7 @@ impl<const D: usize> State<D> {
         is_enclosed: bool,
     ) -> Result<()> {
         let Parameters { extent, interior, .. } = self.parameters;
-        let [x, y, _] = seed.seed;
+        let x = At(&seed.seed[..D]);
         if is_enclosed || seed.is_hole && region != OUTSIDE {
             return Ok(());
         }
@@ -93,17 +95,17 @@ impl<const D: usize> State<D> {
         let must = "it must be in a region of the domain";
         refuse(match (extent, region) {
             (Extent::Boundary, OUTSIDE) => {
-                say!(seed, " is ({x:?}, {y:?}), outside of all that segments enclose; {must}")
+                say!(seed, " is {x}, outside of all that segments enclose; {must}")
             }
             (Extent::Boundary, _) => say!(
                 seed,
-                " is ({x:?}, {y:?}), which ",
+                " is {x}, which ",
                 Choice::Interior(interior),
                 " leaves out, so that only a hole may be there; {must}"
             ),
             _ => say!(
                 seed,
-                " is ({x:?}, {y:?}), beyond the boundary, with ",
+                " is {x}, beyond the boundary, with ",
                 Choice::Extent(extent),
                 "; {must}"
             ),
@@ -147,8 +149,13 @@ impl<const D: usize> State<D> {
 
     /// Refuses a seed on a segment, which is in no region. `simplex` holds it.
     fn refuse_on_segment(&self, number: u32, x: &[f64; D], simplex: SimplexId) -> Result<()> {
-        let Some(line) = self.line_under(x, simplex) else { return Ok(()) };
-        let name = name_of(self.segments.chains.lines[line as usize].segment);
+        let name = match self.as_space() {
+            Some(state) => state.facet_under(&std::array::from_fn(|axis| x[axis]), simplex),
+            None => self
+                .line_under(x, simplex)
+                .map(|line| name_of(self.segments.chains.lines[line as usize].segment)),
+        };
+        let Some(name) = name else { return Ok(()) };
         refuse(say!(Name::Seed(number), " is on {name}; it must be in the interior of a region"))
     }
 
@@ -169,6 +176,24 @@ impl<const D: usize> State<D> {
         let sides = chains.sides_of(vertices).into_iter().enumerate();
         let side = sides.filter(|&(index, _)| is_on(index)).find_map(|(_, side)| side)?;
         Some(chains.get(side).line)
+    }
+}
+
+impl State<3> {
+    /// Returns the name of a facet that a point of the closure of `simplex` is on.
+    fn facet_under(&self, x: &[f64; 3], simplex: SimplexId) -> Option<Cow<'static, str>> {
+        let vertices = self.delaunay.complex().vertices(simplex);
+        let walls = Walls { chains: &self.segments.chains, facets: &self.facets };
+        let is_on = |index: usize| {
+            let mut points: [&[f64; 3]; 4] =
+                std::array::from_fn(|at| self.delaunay.point(vertices[at]));
+            points[index] = x;
+            orientation(&points) == Sign::Zero
+        };
+        let mut faces = walls.subfacets_of(vertices).into_iter().enumerate();
+        let face = faces.find_map(|(index, seen)| seen.filter(|_| is_on(index)));
+        let facet = face.map(|(subfacet, _)| self.facets.get(subfacet).facet);
+        facet.map(|facet| message!("facets[{}]", self.facets.facets[facet as usize].parent).into())
     }
 }
 

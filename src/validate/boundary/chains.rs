@@ -2,9 +2,9 @@
 //! segments overlap, the subsegments are the first one's, and those of the others lead from one end
 //! of that part to the other.
 
+use super::anchors::Anchors;
 use super::edges::Edges;
 use super::exact::{meets, unit_in_last_place};
-use super::lines::is_anchor;
 use crate::error::message;
 use crate::memory::{AllocResult, Lists, TryGrow, filled};
 use crate::mesh::{Inputs, NONE, Segments};
@@ -140,8 +140,8 @@ impl<'a, const D: usize> Chains<'a, D> {
             == Some(Ordering::Less)
     }
 
-    /// Returns true if an edge leads along a segment as its chain may: both ends are near it, and in
-    /// its order from its first end to its second.
+    /// Returns true if an edge leads along a segment as its chain may: both ends are near it, and
+    /// in its order from its first end to its second.
     pub fn leads_along(&self, way: Way, edge: [u32; 2]) -> AllocResult<bool> {
         let [from, to] = way.ends;
         if from == to || from.max(to) as usize >= self.view.vertex_count() {
@@ -240,8 +240,8 @@ fn check_anchors(
     findings: &mut Findings,
 ) -> AllocResult<()> {
     let path = chains.found();
-    let is_anchor = |&&vertex: &&u32| is_anchor(chains.view.mesh, inputs, edges, vertex);
-    for &vertex in path[1..path.len() - 1].iter().filter(is_anchor) {
+    let anchors = Anchors::new(chains.view, inputs, edges);
+    for &vertex in path[1..path.len() - 1].iter().filter(|&&vertex| anchors.holds(vertex)) {
         let is_near = chains.is_near(way, vertex, true)?;
         findings.check(is_near, || describe_distance(way.segment, vertex));
     }

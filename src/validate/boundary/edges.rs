@@ -9,12 +9,12 @@ use crate::quality::view::View;
 use crate::validate::report::{Findings, Violation, ViolationKind};
 use std::cmp::Ordering;
 
-/// Largest length, in units in the last place of the mesh's largest coordinates, of a subsegment
-/// that may lack room for a vertex on it.
+/// Largest length along each axis, in units in the last place of the mesh's largest coordinate, of
+/// a subsegment that may lack room for a vertex on it.
 const SHORT: f64 = 64.0;
-/// Largest distance, in the same units, of an opposite vertex from a subsegment's line for which
-/// the subsegment may lack room. Splits are fractions of the caller's segments, and as coarse as
-/// doubles near their ends.
+/// Largest distance, in such units of each axis, of an opposite vertex from a subsegment's line for
+/// which the subsegment may lack room. Splits are fractions of the caller's segments, and as coarse
+/// as doubles near their ends.
 const NO_ROOM: f64 = 8.0;
 
 /// Edges of the triangles that are subsegments.
@@ -100,7 +100,9 @@ fn may_lack_room(
     least_room: Point,
 ) -> AllocResult<bool> {
     let [a, b]: [&Point; 2] = ends.map(|end| view.point(end));
-    if (0..2).all(|axis| (b[axis] - a[axis]).abs() <= SHORT / NO_ROOM * least_room[axis]) {
+    // What the coarser axis rounds off turns an edge whatever its direction is.
+    let short = SHORT / NO_ROOM * least_room[0].max(least_room[1]);
+    if (0..2).all(|axis| (b[axis] - a[axis]).abs() <= short) {
         return Ok(true);
     }
     for side in sides.into_iter().filter(|&side| side != NONE) {

@@ -2,8 +2,9 @@
 //! shortest edge between the two sides of such an angle, at the same distance from where they
 //! meet. To shorten neither side below that distance is what ends the splitting of the sides.
 
+use super::anchors::Anchors;
 use super::edges::Edges;
-use super::lines::{Lines, is_anchor};
+use super::lines::Lines;
 use crate::error::message;
 use crate::memory::AllocResult;
 use crate::mesh::NONE;
@@ -24,7 +25,7 @@ pub(super) fn check(
     view: View<'_, 2>,
     edges: &Edges,
     lines: &Lines,
-    inputs: usize,
+    anchors: &Anchors<'_>,
     findings: &mut Findings,
 ) -> AllocResult<()> {
     let limit = view.mesh.parameters.quality_bound;
@@ -42,7 +43,7 @@ pub(super) fn check(
         let pairs = [[0, 1], [1, 2], [2, 0]].map(|pair| pair.map(|at: usize| vertices[at]));
         let shortest = pairs.map(length).into_iter().fold(Length::INFINITE, Length::min);
         let is_forced = pairs.iter().any(|&pair| {
-            length(pair) <= shortest.times(1.0 + SLACK) && spans(view, edges, lines, inputs, pair)
+            length(pair) <= shortest.times(1.0 + SLACK) && spans(view, edges, lines, anchors, pair)
         });
         findings.check(is_forced, || {
             let message = message!(
@@ -56,8 +57,14 @@ pub(super) fn check(
 
 /// Returns true if two vertices are between the ends of two lines, at the same distance from an end
 /// of both where these make a small angle.
-fn spans(view: View<'_, 2>, edges: &Edges, lines: &Lines, inputs: usize, pair: [u32; 2]) -> bool {
-    if pair.iter().any(|&vertex| is_anchor(view.mesh, inputs, edges, vertex)) {
+fn spans(
+    view: View<'_, 2>,
+    edges: &Edges,
+    lines: &Lines,
+    anchors: &Anchors<'_>,
+    pair: [u32; 2],
+) -> bool {
+    if pair.iter().any(|&vertex| anchors.holds(vertex)) {
         return false;
     }
     let [first, second] = pair.map(|vertex| {

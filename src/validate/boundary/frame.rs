@@ -1,6 +1,7 @@
 //! Level 2: the boundary of a hull or box that the mesh is cropped to goes round the inputs, from
 //! corner to corner, and no other subsegment belongs to no segment.
 
+use super::anchors::corners_of_box;
 use super::chains::{Chains, Way};
 use super::edges::Edges;
 use crate::error::message;
@@ -21,7 +22,7 @@ pub(super) fn check(
     let corners = match view.mesh.parameters.extent {
         Extent::Auto | Extent::All | Extent::Boundary => return Ok(()),
         Extent::Hull => hull(inputs)?,
-        Extent::Box => collected(corners_of_box(inputs, view))?,
+        Extent::Box => collected(vertices_of_box(inputs, view))?,
     };
     let mut chains = Chains::new(view, &edges.at)?;
     let mut pieces: Vec<[u32; 2]> = Vec::new();
@@ -76,14 +77,8 @@ fn check_pieces(
 
 /// Returns the vertices at the corners of the box of the inputs, counterclockwise; [`NONE`] where
 /// none is.
-fn corners_of_box(inputs: &Inputs, view: View<'_, 2>) -> [u32; 4] {
-    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-    for vertex in 0..inputs.distinct() {
-        for (axis, &x) in inputs.distinct_point(vertex).iter().enumerate() {
-            (low[axis], high[axis]) = (low[axis].min(x), high[axis].max(x));
-        }
-    }
-    [low, [high[0], low[1]], high, [low[0], high[1]]].map(|corner| {
+fn vertices_of_box(inputs: &Inputs, view: View<'_, 2>) -> [u32; 4] {
+    corners_of_box(view, inputs.distinct()).map(|corner| {
         let ends = view.mesh.boundary.subsegments.as_flattened();
         ends.iter().copied().find(|&end| *view.point(end) == corner).unwrap_or(NONE)
     })

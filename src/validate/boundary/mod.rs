@@ -10,9 +10,10 @@
 //!   them closed curves enclose; `areas`, of the regions; `forced`, the triangles that small angles
 //!   between segments excuse.
 //!
-//! `exact` and `sum` are the arithmetic. Which simplices are on the sides of a subsegment or subfacet
-//! is found here from the simplices alone (`walls`).
+//! `anchors` are the ends of lines; `exact` and `sum` are the arithmetic. Which simplices are on the
+//! sides of a subsegment or subfacet is found here from the simplices alone (`walls`).
 
+mod anchors;
 mod areas;
 mod arrays;
 mod chains;
@@ -34,6 +35,7 @@ use crate::memory::AllocResult;
 use crate::mesh::{Boundary, Facets, Inputs, Region, Segments, Triangulation};
 use crate::options::Extent;
 use crate::quality::view::View;
+use anchors::Anchors;
 use edges::Edges;
 use lines::Lines;
 
@@ -118,7 +120,8 @@ pub(super) fn check_geometry<const D: usize>(
         chains::check(inputs, segments, view, &edges, findings)?;
     }
     frame::check(inputs, view, &edges, findings)?;
-    lines::check(view, &Lines::new(view.mesh, inputs.distinct(), &edges)?, findings)
+    let anchors = Anchors::new(view, inputs.distinct(), &edges);
+    lines::check(view, &Lines::new(view.mesh, &anchors)?, findings)
 }
 
 /// Checks level 3 of a mesh for which level 1 holds.
@@ -150,8 +153,9 @@ pub(super) fn check_regions<const D: usize>(
         regions::check(outline, view, &edges.walls, steps, promised, findings)?;
         areas::check(view, &edges.walls, promised.count, findings)?;
     }
-    let lines = Lines::new(view.mesh, inputs.distinct(), &edges)?;
-    forced::check(view, &edges, &lines, inputs.distinct(), findings)
+    let anchors = Anchors::new(view, inputs.distinct(), &edges);
+    let lines = Lines::new(view.mesh, &anchors)?;
+    forced::check(view, &edges, &lines, &anchors, findings)
 }
 
 /// Returns for each simplex the largest edge that the seed of its region asks for, or infinity;

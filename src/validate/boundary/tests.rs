@@ -1,5 +1,6 @@
 //! Rules of which the arrays must be broken in ways that other rules see first.
 
+use super::anchors::Anchors;
 use super::edges::Edges;
 use super::lines::{self, Lines};
 use super::{Promised, areas, forced, regions};
@@ -77,7 +78,7 @@ fn lines_do_not_go_back() {
         result.boundary.subsegments = subsegments.to_vec();
         result.boundary.parents = vec![0; subsegments.len()];
         findings(&result, |view, edges, _, found| {
-            let lines = Lines::new(view.mesh, 0, edges).unwrap();
+            let lines = Lines::new(view.mesh, &Anchors::new(view, 0, edges)).unwrap();
             assert_eq!(lines.ends.as_flattened(), ends);
             lines::check(view, &lines, found).unwrap();
         })
@@ -105,8 +106,9 @@ fn between_segments(angle: f64, distance: f64) -> Option<ViolationKind> {
     result.boundary.forced = vec![simplex as u32];
     result.parameters.quality_bound = 0.6;
     findings(&result, |view, edges, _, found| {
-        let lines = Lines::new(view.mesh, 4, edges).unwrap();
-        forced::check(view, edges, &lines, 4, found).unwrap();
+        let anchors = Anchors::new(view, 4, edges);
+        let lines = Lines::new(view.mesh, &anchors).unwrap();
+        forced::check(view, edges, &lines, &anchors, found).unwrap();
     })
 }
 

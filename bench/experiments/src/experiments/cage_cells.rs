@@ -45,9 +45,10 @@ pub fn run(context: &Context) -> Report {
 }
 
 fn text() -> String {
-    "The worst aspect over tau, of all cells off the hull over all their corners (\"anywhere\"), and of \
-     the cells of vertices over the corners well inside the hull of their domain's cage (\"counted\"). \
-     \"in cage gaps\" are the vertices that the final refinement inserted there. Default options."
+    "The worst aspect over tau, of all cells off the hull over all their corners (\"anywhere\"), \
+     and of the cells of vertices over the corners well inside the hull of their domain's cage \
+     (\"counted\"). \"in cage gaps\" are the vertices that the final refinement inserted there. \
+     Default options."
         .to_string()
 }
 

@@ -1,4 +1,4 @@
-//! What is practical in each dimension.
+//! Sizes that are practical in each dimension.
 
 use super::Context;
 use crate::inputs::{self, Points};
@@ -42,7 +42,7 @@ pub fn run(context: &Context) -> Report {
             (case, run)
         })
         .collect();
-    // Which takes longer than the mesh from 4D on, and is not timed for its own sake.
+    // Certifying takes longer than the mesh from 4D on, and is not timed for its own sake.
     let entries =
         in_parallel(context.jobs, runs, |(case, run)| Entry { case, result: run.map(certified) });
     Report {
@@ -56,10 +56,10 @@ pub fn run(context: &Context) -> Report {
 }
 
 fn text() -> String {
-    "Default options, hierarchical. Uniform inputs in the unit cube, and inputs on a surface: the torus \
-     (cos u, sin u, cos v, sin v, cos(u + v), sin(u + v)), its first five coordinates in 5D. One run \
-     each. Memory is what the run added to the process at its highest; the certificate is that of all \
-     three levels."
+    "Default options, hierarchical. Uniform inputs in the unit cube, and inputs on a surface: the \
+     torus (cos u, sin u, cos v, sin v, cos(u + v), sin(u + v)), its first five coordinates in 5D. \
+     One run each. Memory is what the run added to the process at its highest; the certificate is \
+     that of all three levels."
         .to_string()
 }
 
@@ -116,7 +116,7 @@ fn memory_of(case: &Case) -> Option<u64> {
     String::from_utf8(output.stdout).ok()?.trim().parse().ok()
 }
 
-/// What `--memory-of` prints: the bytes that the run adds to what the process held.
+/// Returns the bytes that the run adds to what the process held, for `--memory-of`.
 pub fn added_memory(input: &str, dim: usize, n: usize) -> Option<u64> {
     let points = points(input, dim, n);
     let before = runner::peak_memory()?;

@@ -16,9 +16,9 @@ const DIMS: [usize; 2] = [2, 3];
 /// A family of inputs whose finished meshes grow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Family {
-    /// At 2^-24 in the unit cube, more and more of them: every pair has the same gap to fill.
+    /// More and more pairs, at 2^-24 in the unit cube: every pair has the same gap to fill.
     Pairs,
-    /// As many as ever, at 2^-exponent: the gaps grow.
+    /// A constant number of pairs, at 2^-exponent: the gaps grow.
     CloserPairs,
 }
 
@@ -82,7 +82,7 @@ impl Entry {
             / (self.finished.vertices - self.hierarchical.vertices)
     }
 
-    /// Whether FINISHMESH's share is more than the difference of two like meshes.
+    /// Returns true if FINISHMESH's share is more than the difference of two like meshes.
     fn is_finishing(&self) -> bool {
         self.finished.vertices >= 2.0 * self.hierarchical.vertices
     }
@@ -119,16 +119,17 @@ fn report(entries: &[Entry]) -> Report {
 }
 
 fn text() -> String {
-    "Law: after NETMESH, the well-spaced mesh of m vertices takes O(m) time: FINISHMESH inserts O(m) \
-     vertices, each of which makes and destroys a constant number of simplices. Close pairs in the unit \
-     cube: more and more of them at 2^-24 (\"pairs\"), where m grows and what is built round each pair \
-     stays the same; and 500 (in 3D 100) of them at 2^-exponent (\"closer pairs\"), where m grows with the \
-     logarithm of the spread and the share of the shells round pairs, which are denser in simplices \
-     than uniform inputs, grows from 0 to 1.\n\n\
-     The verdicts rest on the simplices made, those included that were destroyed again: of FINISHMESH per \
-     vertex that it added, where the finished mesh is at least twice as large (\"made/vertex added\"), and \
-     of both phases per vertex (\"made/vertex\"). Exact signs are those that the floating-point filters left \
-     to integers. Seconds stand beside them for information."
+    "Law: after NETMESH, the well-spaced mesh of m vertices takes O(m) time: FINISHMESH inserts \
+     O(m) vertices, each of which makes and destroys a constant number of simplices. Close pairs \
+     in the unit cube: more and more of them at 2^-24 (\"pairs\"), where m grows and what is built \
+     round each pair stays the same; and 500 (in 3D 100) of them at 2^-exponent (\"closer \
+     pairs\"), where m grows with the logarithm of the spread and the share of the shells round \
+     pairs, which are denser in simplices than uniform inputs, grows from 0 to 1.\n\n\
+     The verdicts rest on the simplices made, those included that were destroyed again: of \
+     FINISHMESH per vertex that it added, where the finished mesh is at least twice as large \
+     (\"made/vertex added\"), and of both phases per vertex (\"made/vertex\"). Exact signs are \
+     those that the floating-point filters left to integers. Seconds stand beside them for \
+     information."
         .to_string()
 }
 

@@ -17,7 +17,7 @@ const INPUTS: [&str; 2] = ["uniform", "clusters"];
 const DIMS: [usize; 3] = [2, 3, 4];
 const ORDERINGS: [NetOrdering; 2] = [NetOrdering::SampledNet, NetOrdering::DeterministicNet];
 
-/// What a curve is: all its entries differ in n alone.
+/// Name of a curve, whose entries differ in n alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Curve {
     input: &'static str,
@@ -91,18 +91,19 @@ fn report(entries: &[Entry]) -> Report {
 }
 
 fn text() -> String {
-    "Law: O(n log n) touches, O(m) simplices made and destroyed, O(log n) rounds, bounded degree and ply \
-     at all times, and so O(n log n + m) time. Uniform inputs in the unit cube, and clusters: normal \
-     distributions of 100 points each, 2^-6 as wide as they are apart. Default options, hierarchical; \
-     \"sampled\" is the default ordering, \"deterministic\" the net of Theorem 3, up to 100,000 inputs \
-     (10,000 in 4D).\n\n\
-     The verdicts rest on counts, which no other work on the machine disturbs; seconds stand beside them \
-     for information. \"simplices made/m\" counts the simplices that any insertion made, most of which a \
-     later one destroyed. \"exact signs/m\" counts the signs that the floating-point filters left to \
-     integers. \"degree 99.99 %\" is the degree that one vertex in 10,000 exceeds, from 10,000 vertices \
-     on. The largest degree is the largest of m, so it rises slowly with m where the distribution of \
-     degrees stays the same: it has no verdict. \"Constant\" means here that the power law through the \
-     curve has an exponent of at most 0.1. A cell with - was not measured."
+    "Law: O(n log n) touches, O(m) simplices made and destroyed, O(log n) rounds, bounded degree \
+     and ply at all times, and so O(n log n + m) time. Uniform inputs in the unit cube, and \
+     clusters: normal distributions of 100 points each, 2^-6 as wide as they are apart. Default \
+     options, hierarchical; \"sampled\" is the default ordering, \"deterministic\" the net of \
+     Theorem 3, up to 100,000 inputs (10,000 in 4D).\n\n\
+     The verdicts rest on counts, which no other work on the machine disturbs; seconds stand \
+     beside them for information. \"simplices made/m\" counts the simplices that any insertion \
+     made, most of which a later one destroyed. \"exact signs/m\" counts the signs that the \
+     floating-point filters left to integers. \"degree 99.99 %\" is the degree that one vertex in \
+     10,000 exceeds, from 10,000 vertices on. The largest degree is the largest of m, so it rises \
+     slowly with m where the distribution of degrees stays the same: it has no verdict. \
+     \"Constant\" means here that the power law through the curve has an exponent of at most 0.1. \
+     A cell with - was not measured."
         .to_string()
 }
 
@@ -339,7 +340,8 @@ fn ordering_verdicts(entries: &[Entry]) -> Vec<Verdict> {
                 ("simplices made", |e| e.created * e.size),
             ] {
                 let claim = format!(
-                    "{input}, {dim}D: {what} of the deterministic ordering, farthest from the sampled one's"
+                    "{input}, {dim}D: {what} of the deterministic ordering, farthest from the \
+                     sampled one's"
                 );
                 verdicts.push(Verdict::at_most(&claim, farthest(figure), 0.3));
             }

@@ -25,7 +25,7 @@ pub enum Scale {
 
 pub struct Context {
     pub scale: Scale,
-    /// How many runs at a time, where none is timed.
+    /// Number of runs at a time, where none is timed.
     pub jobs: usize,
     pub peers: Peers,
 }

@@ -89,11 +89,11 @@ fn text() -> String {
     "Every mesher refines the same inputs until every simplex has the bound on circumradius over \
      shortest edge: 2.0 and 1.414 in 3D, 1.414 (20.7 degrees) in 2D. TetGen 1.5 runs with \
      `pq2.0/0O0/0` and `pq1.414214/0O0/0`, Triangle with `pq20.7` (its published method, with \
-     off-centres; through the PyPI module, which is not part of this project), CGAL's Mesh_2 with its \
-     bound on the angle, all in a box of three times the inputs' bounding box; netmesh with \
+     off-centres; through the PyPI module, which is not part of this project), CGAL's Mesh_2 with \
+     its bound on the angle, all in a box of three times the inputs' bounding box; netmesh with \
      `NM_OUTPUT_WELL_SPACED` in its root ball. The domains are equivalent, not equal, so sizes are \
-     compared in total and counting the vertices in the inputs' bounding box alone. \"worst\" is the \
-     largest ratio of the simplices in that box. Seconds were taken with another run beside."
+     compared in total and counting the vertices in the inputs' bounding box alone. \"worst\" is \
+     the largest ratio of the simplices in that box. Seconds were taken with another run beside."
         .to_string()
 }
 

@@ -61,9 +61,9 @@ pub fn run(context: &Context) -> Report {
 fn text(context: &Context) -> String {
     format!(
         "Half of n points on each of two lines in space that are a unit apart and cross at a right \
-         angle. Their Delaunay triangulation has (n/2 - 1)^2 tetrahedra; with Steiner points O(n) are \
-         enough. A run of the plain triangulation may take {:.0} s; after one that does not end, larger \
-         ones are not tried.",
+         angle. Their Delaunay triangulation has (n/2 - 1)^2 tetrahedra; with Steiner points O(n) \
+         are enough. A run of the plain triangulation may take {:.0} s; after one that does not \
+         end, larger ones are not tried.",
         limit(context).as_secs_f64()
     )
 }

@@ -46,10 +46,10 @@ pub fn run(context: &Context) -> Report {
 }
 
 fn text() -> String {
-    "Well-spaced meshes in 3D with a radius-edge ratio of at most 2, without and with a least dihedral \
-     angle. \"slivers\" are the simplices below the angle before, \"left\" after, those at the hull \
-     included; \"time\" is that of the phase over that of the run without it. \"level\" is that of the \
-     certificate, which holds all inputs to their bits."
+    "Well-spaced meshes in 3D with a radius-edge ratio of at most 2, without and with a least \
+     dihedral angle. \"slivers\" are the simplices below the angle before, \"left\" after, those \
+     at the hull included; \"time\" is that of the phase over that of the run without it. \
+     \"level\" is that of the certificate, which holds all inputs to their bits."
         .to_string()
 }
 

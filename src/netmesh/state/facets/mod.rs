@@ -10,7 +10,7 @@ pub(in crate::netmesh) mod plane;
 pub(in crate::netmesh) mod sheet;
 
 use crate::complex::{SimplexId, VertexId};
-use crate::memory::{AllocResult, Array, TryGrow, collected, filled};
+use crate::memory::{AllocResult, Array, Lists, TryGrow, collected, filled};
 use crate::mesh::NONE;
 use crate::netmesh::state::facets::faces::Faces;
 use crate::netmesh::state::facets::plane::Plane;
@@ -29,6 +29,16 @@ pub(in crate::netmesh) struct Facets {
     faces: Faces,
     /// Vertex -> true if it is on a facet.
     holds: Array<bool>,
+    /// Vertex -> the facet that it is in between lines, [`NONE`] for others.
+    inside: Array<u32>,
+    /// First vertices -> the facets that they are on.
+    at_first: Option<Lists>,
+    /// Pairs of facets, the lower first, with the lines and vertices where they meet at small angles.
+    meetings: Vec<(u32, u32, Meeting)>,
+    /// Line -> true if facets or segments meet there at a small angle.
+    is_sharp: Vec<bool>,
+    /// Facet -> true if it has such a line.
+    has_sharp: Vec<bool>,
     waiting: BinaryHeap<Waiting>,
     /// Simplex -> true if it stays although it is beyond the bound; those beyond do not.
     kept: Array<bool>,
@@ -85,6 +95,13 @@ pub(in crate::netmesh) struct Subfacet {
     is_limited: bool,
 }
 
+/// Place where two facets meet.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(in crate::netmesh) enum Meeting {
+    Line(u32),
+    Vertex(VertexId),
+}
+
 /// Subfacet that waits, and the bits of its radius: the largest comes first, of equal ones the one
 /// with the least number.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -138,6 +155,7 @@ impl Facets {
             sheets.faces.insert(&vertices, number)?;
         }
         sheets.join_edges(chains)?;
+        sheets.at_first = Some(sheets.at_vertices(vertices)?);
         sheets.find_walls(balances)?;
         Ok(sheets)
     }
@@ -185,6 +203,67 @@ impl Facets {
                 .find(|&other| other != subfacet && self.subfacets[other as usize].facet == facet);
             debug_assert!(other.is_some(), "an edge of one triangle of a facet is a line");
             self.subfacets[subfacet as usize].neighbors[edge as usize] = other.unwrap_or(NONE);
+        }
+    }
+
+    /// Returns the places where two facets meet at small angles.
+    pub fn meetings(&self, f: u32, g: u32) -> &[(u32, u32, Meeting)] {
+        let pair = (f.min(g), f.max(g));
+        let first = self.meetings.partition_point(|&(a, b, _)| (a, b) < pair);
+        let all = &self.meetings[first..];
+        &all[..all.iter().take_while(|&&(a, b, _)| (a, b) == pair).count()]
+    }
+
+    /// Sets which lines are sharp, and where facets meet at small angles.
+    pub fn set_sharp(
+        &mut self,
+        is_sharp: Vec<bool>,
+        mut meetings: Vec<(u32, u32, Meeting)>,
+    ) -> AllocResult<()> {
+        self.has_sharp = filled(self.facets.len(), false)?;
+        for own in &self.subfacets {
+            let lines = own.subsegments.iter().filter(|&&line| line != NONE);
+            self.has_sharp[own.facet as usize] |=
+                lines.into_iter().any(|&line| is_sharp[line as usize]);
+        }
+        meetings.sort_unstable();
+        meetings.dedup();
+        (self.is_sharp, self.meetings) = (is_sharp, meetings);
+        Ok(())
+    }
+
+    /// Returns true if facets or segments meet at a small angle at a line.
+    pub fn is_sharp_line(&self, line: u32) -> bool {
+        self.is_sharp.get(line as usize).copied().unwrap_or(false)
+    }
+
+    /// Returns true if a facet has a sharp line.
+    pub fn is_sharp_facet(&self, facet: u32) -> bool {
+        self.has_sharp.get(facet as usize).copied().unwrap_or(false)
+    }
+
+    /// Returns the facets that a vertex is on which is no inner one of a line.
+    pub fn facets_at(&self, vertex: VertexId) -> &[u32] {
+        let first = self.at_first.as_ref().filter(|first| vertex.index() < first.count());
+        match (self.inside.get(vertex.index()), first) {
+            (Some(facet), _) if *facet != NONE => std::slice::from_ref(facet),
+            (_, Some(first)) => first.of(vertex.index()),
+            _ => &[],
+        }
+    }
+
+    /// Adds the subfacets at a subsegment.
+    pub fn collect_subfacets(&self, subsegment: u32, pages: &mut Vec<u32>) -> AllocResult<()> {
+        let Some(first) = self.page_of(subsegment) else { return Ok(()) };
+        let mut page = first;
+        loop {
+            pages.try_push(page)?;
+            let own = self.get(page);
+            let edge = own.subsegments.iter().position(|&other| other == subsegment);
+            page = edge.map_or(first, |edge| own.neighbors[edge]);
+            if page == first {
+                return Ok(());
+            }
         }
     }
 
@@ -298,6 +377,12 @@ impl Facets {
                 *kept = false;
             }
         }
+    }
+
+    /// Returns the facets of which each vertex is one, some of them several times.
+    pub fn at_vertices(&self, count: usize) -> AllocResult<Lists> {
+        let of = |own: &Subfacet| own.vertices.map(|vertex| (vertex.number(), own.facet));
+        Lists::of_pairs(count, || self.subfacets.iter().flat_map(of))
     }
 
     /// Returns the number of subfacets that wait for a look.

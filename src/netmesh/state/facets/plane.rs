@@ -1,7 +1,7 @@
 //! The plane of a facet. In the projection that drops the coordinate of the largest component of the
-//! normal, a plane is that coordinate as a linear function of the two others, with slopes of at most
-//! 1. So a point is put on the plane by one rounding, and stays where it is in the projection; on a
-//! plane that is parallel to two axes it is exact.
+//! normal, a plane is that coordinate as a linear function of the two others, whose slopes are at
+//! most one. So a point is put on the plane by one rounding, and stays where it is in the projection;
+//! on a plane that is parallel to two axes it is exact.
 
 use crate::numerics::{DoubleDouble, Sign, orientation};
 
@@ -40,10 +40,10 @@ impl Plane {
                 std::array::from_fn(|k| DoubleDouble::difference(to[k] / power, a[k] / power))
             };
             let (u, v) = (way(b), way(c));
-            for k in 0..3 {
+            normal = std::array::from_fn(|k| {
                 let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-                normal[k] = normal[k] + (u[i] * v[j] - u[j] * v[i]);
-            }
+                normal[k] + (u[i] * v[j] - u[j] * v[i])
+            });
         }
         let size = |k: usize| normal[k].high.abs();
         let dropped = (1..3).fold(0, |best, k| if size(k) > size(best) { k } else { best });

@@ -12,7 +12,7 @@ impl Facets {
     pub fn split_inside(&mut self, subfacet: u32, vertex: VertexId) -> AllocResult<[u32; 3]> {
         let whole = self.subfacets[subfacet as usize];
         let parts = [subfacet, self.subfacets.len() as u32, self.subfacets.len() as u32 + 1];
-        self.add_vertex(vertex)?;
+        self.add_vertex(vertex, whole.facet)?;
         self.subfacets.try_extend(&[whole; 2])?;
         self.faces.remove(&whole.vertices);
         for edge in 0..3 {
@@ -40,7 +40,7 @@ impl Facets {
         let (own, other) = (subfacet, self.get(subfacet).neighbors[edge]);
         let [a, b] = self.get(own).ends(edge);
         let beyond = self.get(other).edge_between(a, b).unwrap_or(0);
-        self.add_vertex(vertex)?;
+        self.add_vertex(vertex, self.get(own).facet)?;
         let [first, second] = self.split_half(own, edge, vertex)?;
         let [third, fourth] = self.split_half(other, beyond, vertex)?;
         // The parts of one have the vertex between the same ends as those of the other, reversed.
@@ -64,7 +64,7 @@ impl Facets {
         self.pages.try_push(NONE)?;
         debug_assert_eq!(self.pages.len(), second as usize + 1);
         let Some(first_page) = self.page_of(subsegment) else { return Ok(()) };
-        self.add_vertex(vertex)?;
+        self.add_vertex(vertex, NONE)?;
         let before = made.len();
         let mut page = first_page;
         loop {
@@ -230,7 +230,10 @@ impl Facets {
         self.set_edge(another, [vertex, shared], one, NONE);
     }
 
-    fn add_vertex(&mut self, vertex: VertexId) -> AllocResult<()> {
+    /// Adds a vertex, in a facet between lines unless that is [`NONE`].
+    fn add_vertex(&mut self, vertex: VertexId, inside: u32) -> AllocResult<()> {
+        self.inside.cover(vertex.index() + 1, NONE)?;
+        self.inside[vertex] = inside;
         self.holds.cover(vertex.index() + 1, false)?;
         self.holds[vertex] = true;
         Ok(())

@@ -195,6 +195,14 @@ impl Chains {
         }
     }
 
+    /// Returns the subsegments before and behind `vertex` on the line that it is on and no end of.
+    pub fn subsegments_at(&self, vertex: VertexId) -> Option<[u32; 2]> {
+        match self.place(vertex) {
+            OnChain::Between(two) => Some(two),
+            _ => None,
+        }
+    }
+
     /// Returns the first of the lines that `vertex` is on, be it an end of them or not.
     pub fn line_at(&self, vertex: VertexId) -> Option<u32> {
         match self.place(vertex) {

@@ -17,7 +17,8 @@ pub(in super::super) fn check(
 ) -> AllocResult<()> {
     let boundary = &whole.mesh.boundary;
     if boundary.subfacets.is_empty() && boundary.subsegments.is_empty() {
-        return Ok(check_none(result, findings));
+        check_none(result, findings);
+        return Ok(());
     }
     let walls = walls(whole)?;
     // The boundary of the first simplex runs along the subfacet: it is behind it.

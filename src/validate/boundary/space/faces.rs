@@ -46,8 +46,8 @@ impl Faces {
     }
 }
 
-/// Finds the subfacets among the faces of the simplices. Of two subfacets with the same vertices one
-/// is found.
+/// Finds the subfacets among the faces of the simplices. Of two subfacets with the same vertices
+/// one is found.
 pub(in super::super) fn walls(view: View<'_, 3>) -> AllocResult<Walls> {
     let subfacets = &view.mesh.boundary.subfacets;
     let mut on_facet = filled(view.vertex_count(), false)?;

@@ -39,11 +39,14 @@ pub(super) fn check(view: View<'_, 3>, findings: &mut Findings) -> AllocResult<(
     let wrong = differs.or(more);
     findings.check(wrong.is_none(), || {
         let simplex = wrong.unwrap_or(NONE);
-        let word = if expected.binary_search(&simplex).is_ok() { "no" } else { "a" };
-        let message = message!(
-            "simplex {simplex} is given as {word} flat one, by whether all its vertices are on a \
-             facet it is not so"
-        );
+        let message = match expected.binary_search(&simplex) {
+            Ok(_) => {
+                message!("simplex {simplex} has all vertices on a facet, and is not marked as flat")
+            }
+            Err(_) => {
+                message!("simplex {simplex} is marked as flat, and no facet has all its vertices")
+            }
+        };
         Violation::new(ViolationKind::FlatSimplex, message).simplex(simplex as usize)
     });
     Ok(())

@@ -27,8 +27,8 @@ fn order(a: &[f64; 2], b: &[f64; 2]) -> Ordering {
     by_axis(0).then(by_axis(1))
 }
 
-/// Finds the sides of the edges of `rim` on which what they enclose is, counted by even and odd, and
-/// which of the edges and points `others` are inside. Edges meet only at their ends. O(n log n + n
+/// Finds the sides of the edges of `rim` on which what they enclose is, counted by even and odd,
+/// and which of the edges and points `others` are inside. Edges meet only at their ends. O(n log n + n
 /// k) for at most k edges at one place of the sweep.
 pub(super) fn sides(rim: &[[[f64; 2]; 2]], others: &[[[f64; 2]; 2]]) -> AllocResult<Sides> {
     let (mut lefts, mut insides) = (filled(rim.len(), false)?, filled(others.len(), false)?);

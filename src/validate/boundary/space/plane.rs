@@ -67,7 +67,7 @@ pub(super) fn largest_axis(vector: &[f64; 3]) -> usize {
     (0..3).rev().max_by(|&i, &j| vector[i].abs().total_cmp(&vector[j].abs())).unwrap_or(0)
 }
 
-/// Heights along a normal that is rounded, exact.
+/// Adds the height of a point along a normal, times a factor that is 1 or -1.
 fn add_height(sum: &mut Sum, normal: &[f64; 3], point: &[f64; 3], factor: f64) {
     for (component, x) in normal.iter().zip(point) {
         sum.add_product(&[factor * component, *x]);

@@ -8,15 +8,19 @@ use crate::options::{Algorithm, Options};
 use crate::quality::view::View;
 use crate::validate::report::{Findings, ViolationKind};
 
-/// Makes two cubes beside each other, with the square between them as a facet.
+/// Makes two cubes beside each other, with the square between them as a facet. No plane through
+/// three vertices goes through the origin.
 fn cubes() -> (Inputs, Triangulation) {
-    let point = |i: u32| [i % 3, i / 3 % 2, i / 6].map(|k| f64::from(k) + 0.5);
+    let point = |i: u32| {
+        let [x, y, z] = [i % 3, i / 3 % 2, i / 6].map(f64::from);
+        [x + 5.25, y + 7.5, z + 11.125]
+    };
     let points: Vec<[f64; 3]> = (0..12).map(point).collect();
     let mut mesh = Mesh::new(3, 12, points.as_flattened(), 0).unwrap();
     mesh.run(&Options { algorithm: Algorithm::Delaunay, ..Options::default() }, None).unwrap();
     let mut result = mesh.result().unwrap().clone();
-    let is_between = |face: &[u32]| face.iter().all(|&vertex| points[vertex as usize][0] == 1.5);
-    let on_left = |simplex: &[u32]| simplex.iter().any(|&v| points[v as usize][0] < 1.0);
+    let is_between = |face: &[u32]| face.iter().all(|&vertex| points[vertex as usize][0] == 6.25);
+    let on_left = |simplex: &[u32]| simplex.iter().any(|&v| points[v as usize][0] < 6.0);
     let boundary = &mut result.boundary;
     for simplex in result.simplices.chunks(4) {
         boundary.simplex_regions.push(i32::from(on_left(simplex)));
@@ -118,4 +122,18 @@ fn rims_have_the_facet_on_their_left() {
     assert_eq!(sorted(slit.rim), sorted(expected.to_vec()));
     assert_eq!(slit.within, [[0, 5]]);
     assert!(facet(&[&[0, 1, 2]]).is_none());
+}
+
+#[test]
+fn edges_have_a_triangle_on_each_side() {
+    let check = |triangles: &[[u32; 3]]| {
+        let mut findings = Findings::default();
+        let edges = tiling::sorted_edges(triangles).unwrap();
+        let rim = tiling::rim(0, &edges, &mut findings).unwrap();
+        (rim.len(), findings.first.map(|first| first.kind))
+    };
+    assert_eq!(check(&[[0, 1, 2], [2, 1, 3]]), (4, None));
+    assert_eq!(check(&[[0, 1, 2], [1, 2, 3]]), (4, Some(ViolationKind::FacetTiling)));
+    let three = [[0, 1, 2], [2, 1, 3], [2, 1, 4]];
+    assert_eq!(check(&three), (6, Some(ViolationKind::FacetTiling)));
 }

@@ -1,5 +1,5 @@
-//! Level 2: the subfacets of a facet tile it. In the exact projection along an axis all of them turn
-//! to the left; each edge is in two of them, which run through it in opposite directions, or on the
+//! Level 2: the subfacets of a facet tile it. In the exact projection along an axis all of them
+//! turn to the left; each edge is in two of them, which run through it in opposite directions, or on the
 //! rim of the facet; and there the facet is on the left, as its loops say. So the number of
 //! subfacets over a point, which is the winding number of the rim about it, is 1 inside and 0
 //! outside. The sum of their areas is that of the polygon, but for roundings of vertices on its
@@ -22,7 +22,7 @@ use std::cmp::Ordering;
 use std::ops::Range;
 
 /// Edge by its ends, the lower first, and true if it runs from there.
-type Directed = ([u32; 2], bool);
+pub(super) type Directed = ([u32; 2], bool);
 
 fn directed([a, b]: [u32; 2]) -> Directed {
     ([a.min(b), a.max(b)], a < b)
@@ -109,7 +109,7 @@ fn check_orientations(
 }
 
 /// Returns the edges of triangles, sorted.
-fn sorted_edges(triangles: &[[u32; 3]]) -> AllocResult<Vec<Directed>> {
+pub(super) fn sorted_edges(triangles: &[[u32; 3]]) -> AllocResult<Vec<Directed>> {
     let of_triangle = |&[a, b, c]: &[u32; 3]| [[a, b], [b, c], [c, a]].map(directed);
     let mut edges = collected(triangles.iter().flat_map(of_triangle))?;
     edges.sort_unstable();
@@ -118,7 +118,11 @@ fn sorted_edges(triangles: &[[u32; 3]]) -> AllocResult<Vec<Directed>> {
 
 /// Returns the edges that one triangle has, and checks that every other is in two triangles, which
 /// run through it in opposite directions.
-fn rim(facet: u32, edges: &[Directed], findings: &mut Findings) -> AllocResult<Vec<Directed>> {
+pub(super) fn rim(
+    facet: u32,
+    edges: &[Directed],
+    findings: &mut Findings,
+) -> AllocResult<Vec<Directed>> {
     let mut rim = Vec::new();
     for same in edges.chunk_by(|a, b| a.0 == b.0) {
         if let [single] = same {

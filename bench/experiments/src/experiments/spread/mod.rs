@@ -115,19 +115,20 @@ pub fn run(context: &Context) -> Report {
 
 fn text(context: &Context) -> String {
     format!(
-        "Law: a hierarchical mesh has O(n) vertices, and each input is considered O(log n) times by the \
-         point location, whatever the spread. SVR needs Theta(log spread) of both.\n\n\
-         n = {n}. (a) 20 nested clusters about the origin, with the gap per level growing from 2 to 2^90. \
-         (b) Close pairs in the unit cube. (c) One point a level, at 2^(-pacing i) from the origin: there \
-         is no gap to save up to a pacing of 2^1.5, and the law is Theta(n + n log pacing). NETMESH: mean over as many \
-         inputs as the column runs says, default bound; SVR: one input, at most {svr:.0} s and {most} vertices a \
-         run ({few} inputs for pairs in 4D); a curve ends where these do.\n\n\
+        "Law: a hierarchical mesh has O(n) vertices, and each input is considered O(log n) times \
+         by the point location, whatever the spread. SVR needs Theta(log spread) of both.\n\n\
+         n = {n}. (a) 20 nested clusters about the origin, with the gap per level growing from 2 \
+         to 2^90. (b) Close pairs in the unit cube. (c) One point a level, at 2^(-pacing i) from \
+         the origin: there is no gap to save up to a pacing of 2^1.5, and the law is Theta(n + n \
+         log pacing). NETMESH: mean over as many inputs as the column runs says, default bound; \
+         SVR: one input, at most {svr:.0} s and {most} vertices a run ({few} inputs for pairs in \
+         4D); a curve ends where these do.\n\n\
          The peers mesh one of the inputs in a box of three times its bounding box, to radius-edge \
-         sqrt(2) in 2D and 2 in 3D, each run a process with {peer:.0} s to live. \"inputs merged: k\" \
-         means that k inputs are not vertices of the mesh. They refine everything, as SVR does and as \
-         NETMESH does not; \"bound missed\" gives the worst ratio.\n\n\
-         The plateau starts at the first gap of at least 2^12; the hump is looked for between 2^2 and \
-         2^10. The gap of pairs is their typical spacing over their distance.",
+         sqrt(2) in 2D and 2 in 3D, each run a process with {peer:.0} s to live. \"inputs merged: \
+         k\" means that k inputs are not vertices of the mesh. They refine everything, as SVR does \
+         and as NETMESH does not; \"bound missed\" gives the worst ratio.\n\n\
+         The plateau starts at the first gap of at least 2^12; the hump is looked for between 2^2 \
+         and 2^10. The gap of pairs is their typical spacing over their distance.",
         n = inputs_of(context, Kind::Clusters, 2, Method::Svr),
         few = inputs_of(context, Kind::Pairs, 4, Method::Svr),
         svr = svr_limit(context).as_secs_f64(),

@@ -12,7 +12,7 @@ pub enum Kind {
     Chain,
 }
 
-/// What is changed along a curve: the gap of a level, the pairs' distance, the pacing.
+/// Setting that is changed along a curve: the gap of a level, the pairs' distance, the pacing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Setting {
     /// log2 of the gap per level, of 1 / distance, or of the pacing.

@@ -1,4 +1,4 @@
-//! What the curves say about the targets.
+//! Verdicts of the curves on the targets.
 
 use super::settings::{Kind, Setting};
 use super::{Averaged, values};

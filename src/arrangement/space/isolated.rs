@@ -1,0 +1,209 @@
+//! Inputs that no facet or segment has but that are on one, exactly or up to rounding: segments and
+//! edges go through them, and facets have them as vertices.
+
+use super::boxes::{Bounds, BoxTree, bounds_of};
+use super::meet::is_between;
+use super::pieces::{Piece, Pieces};
+use super::plane::{Gauge, units_of};
+use super::projection::Projection;
+use crate::arrangement::near::Near;
+use crate::arrangement::poll::Poll;
+use crate::arrangement::reach::Reach;
+use crate::error::Result;
+use crate::memory::{AllocResult, TryGrow, collected, filled};
+use crate::numerics::orientation;
+
+/// Number of polls' units of work for one edge or triangle.
+const WORK: u32 = 4;
+
+/// Inputs on edges and in facets.
+#[derive(Default)]
+pub(super) struct Isolated {
+    /// Edge, the smaller vertex first, and a vertex on it; sorted by edge, and along it.
+    on_edges: Vec<([u32; 2], u32)>,
+    /// Facet, and a vertex in it; sorted.
+    in_facets: Vec<(u32, u32)>,
+    /// Distances, in units in the last place, of those that are not exactly on an edge or facet.
+    pub offsets: Vec<f64>,
+}
+
+impl Isolated {
+    pub fn is_empty(&self) -> bool {
+        self.on_edges.is_empty() && self.in_facets.is_empty()
+    }
+
+    /// Returns the vertices in a facet, after its number.
+    pub fn within(&self, facet: u32) -> &[(u32, u32)] {
+        let begin = self.in_facets.partition_point(|&(own, _)| own < facet);
+        let end = self.in_facets.partition_point(|&(own, _)| own <= facet);
+        &self.in_facets[begin..end]
+    }
+
+    /// Returns the parts into which the vertices on it divide an edge, from its first end on.
+    pub fn chain(&self, [from, to]: [u32; 2]) -> impl Iterator<Item = [u32; 2]> {
+        let on = self.on([from, to]);
+        let is_reversed = from > to;
+        let vertex = move |at: usize| match at {
+            0 => from,
+            _ if at > on.len() => to,
+            _ if is_reversed => on[on.len() - at].1,
+            _ => on[at - 1].1,
+        };
+        (0..=on.len()).map(move |at| [vertex(at), vertex(at + 1)])
+    }
+
+    /// Returns true if a triangle has such vertices in its edges.
+    pub fn splits(&self, triangle: [u32; 3]) -> bool {
+        let [a, b, c] = triangle;
+        [[a, b], [b, c], [c, a]].iter().any(|&edge| !self.on(edge).is_empty())
+    }
+
+    fn on(&self, [from, to]: [u32; 2]) -> &[([u32; 2], u32)] {
+        let edge = [from.min(to), from.max(to)];
+        let begin = self.on_edges.partition_point(|(own, _)| *own < edge);
+        let end = self.on_edges.partition_point(|(own, _)| *own <= edge);
+        &self.on_edges[begin..end]
+    }
+
+    /// Finds the vertices that no piece has, on the edges and in the facets; only those that are
+    /// exactly there if `is_exact` is set. Expected O(n log n), where edges and triangles pass
+    /// between few vertices.
+    pub fn find(
+        points: &[[f64; 3]],
+        pieces: &Pieces,
+        is_exact: bool,
+        poll: Poll<'_>,
+    ) -> Result<Self> {
+        let mut found = Self::default();
+        let mut is_alone = filled(points.len(), true)?;
+        for &vertex in pieces.all.iter().flat_map(Piece::vertices) {
+            is_alone[vertex as usize] = false;
+        }
+        let alone = (0..points.len() as u32).filter(|&vertex| is_alone[vertex as usize]);
+        let alone = collected(alone)?;
+        if alone.is_empty() {
+            return Ok(found);
+        }
+        let own = collected(alone.iter().map(|&vertex| points[vertex as usize]))?;
+        let mut near = Near::new(&own)?;
+        let mut candidates = Vec::new();
+        for edge in pieces.edges()? {
+            poll(WORK)?;
+            candidates.clear();
+            let reach = Reach::of(edge.map(|end| &points[end as usize]));
+            near.collect(&reach, edge.map(|end| &points[end as usize]), &mut candidates)?;
+            found.add_on_edge((edge, reach), &own, (&alone, &mut candidates), is_exact)?;
+        }
+        debug_assert!(found.on_edges.is_sorted_by_key(|&(edge, _)| edge));
+        found.find_in_facets(points, pieces, (&alone, &own), is_exact, poll)?;
+        Ok(found)
+    }
+
+    /// Adds those of some vertices that are on an edge, in their order along it.
+    fn add_on_edge(
+        &mut self,
+        (edge, reach): ([u32; 2], Reach<3>),
+        own: &[[f64; 3]],
+        (alone, candidates): (&[u32], &mut Vec<u32>),
+        is_exact: bool,
+    ) -> AllocResult<()> {
+        let point = |at: u32| &own[at as usize];
+        let [from, to] = reach.ends.each_ref();
+        let is_on = |x: &[f64; 3]| {
+            let is_straight = Projection::ALL.iter().all(|all| all.turn([from, to, x]).is_zero());
+            is_straight && is_between([from, to], x)
+        };
+        candidates.retain(|&at| is_on(point(at)) || !is_exact && reach.holds(point(at)));
+        candidates.sort_unstable_by_key(|&at| reach.position(point(at)));
+        for &at in candidates.iter() {
+            self.on_edges.try_push((edge, alone[at as usize]))?;
+            let offset = reach.offset_from_segment(point(at));
+            if offset > 0.0 {
+                self.offsets.try_push(offset)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Finds the vertices in the triangles of facets, apart from those on their edges.
+    fn find_in_facets(
+        &mut self,
+        points: &[[f64; 3]],
+        pieces: &Pieces,
+        (alone, own): (&[u32], &[[f64; 3]]),
+        is_exact: bool,
+        poll: Poll<'_>,
+    ) -> Result<()> {
+        let boxes = collected(own.iter().map(|x| -> Bounds { [*x, *x] }))?;
+        let tree = BoxTree::new(&boxes)?;
+        for piece in &pieces.all {
+            let (Some(triangle), Some(facet)) = (piece.triangle(), piece.facet()) else { continue };
+            poll(WORK)?;
+            let leaf = Leaf::new(triangle.map(|vertex| &points[vertex as usize]));
+            let meets = |bounds: &Bounds| leaf.may_meet(bounds);
+            tree.each_at(meets, |at| {
+                let (vertex, x) = (alone[at as usize], &own[at as usize]);
+                let edges = [[0, 1], [1, 2], [2, 0]].map(|ends| ends.map(|k: usize| triangle[k]));
+                let is_on_edge = |edge: &[u32; 2]| self.on(*edge).iter().any(|on| on.1 == vertex);
+                if edges.iter().any(is_on_edge) {
+                    return Ok(());
+                }
+                match leaf.offset(x).filter(|&offset| offset <= if is_exact { 0.0 } else { 1.0 }) {
+                    Some(offset) => {
+                        self.in_facets.try_push((facet, vertex))?;
+                        if offset > 0.0 {
+                            self.offsets.try_push(offset)?;
+                        }
+                        Ok(())
+                    }
+                    None => Ok(()),
+                }
+            })?;
+        }
+        self.in_facets.sort_unstable();
+        self.in_facets.dedup();
+        Ok(())
+    }
+}
+
+/// Triangle of a facet in the form that a search needs.
+struct Leaf<'a> {
+    corners: [&'a [f64; 3]; 3],
+    /// Bounds, with a margin for roundings.
+    bounds: Bounds,
+    gauge: Gauge<'a>,
+}
+
+impl<'a> Leaf<'a> {
+    fn new(corners: [&'a [f64; 3]; 3]) -> Self {
+        let units = units_of(corners.into_iter());
+        let [low, high] = bounds_of(corners.into_iter());
+        let bounds = [
+            std::array::from_fn(|k| low[k] - 32.0 * units[k]),
+            std::array::from_fn(|k| high[k] + 32.0 * units[k]),
+        ];
+        Self { corners, bounds, gauge: Gauge::new(corners, units) }
+    }
+
+    /// Returns false only if no point of the box is near the triangle.
+    fn may_meet(&self, [low, high]: &Bounds) -> bool {
+        let [own_low, own_high] = &self.bounds;
+        (0..3).all(|k| low[k] <= own_high[k] && own_low[k] <= high[k])
+            && self.gauge.may_meet([low, high])
+    }
+
+    /// Returns the distance of a point from the triangle in what rounding explains at most, 0 for a
+    /// point exactly in its plane; `None` for a point that is not projected into it.
+    fn offset(&self, x: &[f64; 3]) -> Option<f64> {
+        let [a, b, c] = self.corners;
+        let projection = Projection::of_triangle(self.corners)?;
+        let turn = projection.turn(self.corners);
+        let sides = [[b, c], [c, a], [a, b]];
+        let is_in = sides.iter().all(|&[p, q]| !(projection.turn([p, q, x]) * turn).is_negative());
+        let offset = || match orientation(&[a, b, c, x]).is_zero() {
+            true => 0.0,
+            false => self.gauge.measure(x).0,
+        };
+        is_in.then(offset)
+    }
+}

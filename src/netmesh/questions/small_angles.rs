@@ -1,0 +1,120 @@
+//! Small angles of the input in space. Facets and segments that meet at one have vertices as near to
+//! each other as the angle makes them. A simplex whose shortest edge is between two of these is
+//! forced: to refine it would make the next one, nearer to where they meet (G. L. Miller, S. E. Pav
+//! and N. J. Walkington, "When and why Delaunay refinement algorithms work", 2005).
+
+use crate::complex::{SimplexId, VertexId};
+use crate::memory::{AllocResult, TryGrow};
+use crate::netmesh::insertion::near_facets::EDGES;
+use crate::netmesh::state::State;
+use crate::netmesh::state::facets::Meeting;
+use crate::numerics::{distance, norm, shortest_distance};
+
+/// Largest cosine of angles between segments, or a segment and a facet, that are not small.
+pub(in crate::netmesh) const SMALL: f64 = 0.5;
+
+/// Cosine of angles so small that all simplices between what meets at them are forced.
+const TINY: f64 = 0.9659;
+
+/// Largest cosine of dihedral angles that are not small.
+pub(in crate::netmesh) const SMALL_DIHEDRAL: f64 = 0.1736;
+
+impl State<3> {
+    /// Returns true if the shortest edge of a live simplex goes from a facet or segment to another
+    /// one that meets it at a small angle.
+    pub(in crate::netmesh) fn is_at_small_angle(&self, simplex: SimplexId) -> bool {
+        let vertices = self.delaunay.complex().vertices(simplex);
+        let on_boundary = vertices.iter().filter(|&&vertex| self.facets.holds(vertex));
+        if on_boundary.count() < 2 || vertices.contains(&VertexId::INFINITE) {
+            return false;
+        }
+        let points: [&[f64; 3]; 4] = std::array::from_fn(|at| self.delaunay.point(vertices[at]));
+        let (a, b, _) = shortest_distance(&points);
+        let small = [SMALL, SMALL_DIHEDRAL];
+        if self.spans_small_angle([vertices[a], vertices[b]], small).unwrap_or(false) {
+            return true;
+        }
+        let is_near = |&&vertex: &&VertexId| {
+            self.facets.facets_at(vertex).iter().any(|&facet| self.facets.is_sharp_facet(facet))
+                || self.segments.chains.line_through(vertex).is_some()
+        };
+        if vertices.iter().filter(is_near).count() < 2 {
+            return false;
+        }
+        EDGES.iter().any(|&[i, j]| {
+            let edge = [vertices[i], vertices[j]];
+            self.spans_small_angle(edge, [TINY; 2]).unwrap_or(false)
+        })
+    }
+
+    /// Returns true if two vertices are on facets or segments that meet at a small angle, and on none
+    /// that has both.
+    fn spans_small_angle(&self, [u, v]: [VertexId; 2], small: [f64; 2]) -> AllocResult<bool> {
+        let chains = &self.segments.chains;
+        if let (Some(first), Some(second)) = (chains.line_through(u), chains.line_through(v)) {
+            let [first, second] = [first, second].map(|line| chains.lines[line as usize]);
+            if let Some((center, _)) = first.corner_with(&second) {
+                let center = self.delaunay.point(center);
+                return Ok(self.cosine_at(center, u, v) > small[0]);
+            }
+        }
+        let (own, others) = (self.facets_of(u)?, self.facets_of(v)?);
+        let meet = |f: &u32, g: &u32| self.meet_at_small_angle(*f, *g, [u, v], small);
+        let mut apart = own.iter().filter(|facet| !others.contains(facet));
+        Ok(apart.any(|f| others.iter().any(|g| !own.contains(g) && meet(f, g))))
+    }
+
+    /// Returns the facets that a vertex is on, an end of lines, on a line or between lines.
+    fn facets_of(&self, vertex: VertexId) -> AllocResult<Vec<u32>> {
+        let mut facets = Vec::new();
+        if let Some([before, _]) = self.segments.chains.subsegments_at(vertex) {
+            self.facets.collect_subfacets(before, &mut facets)?;
+            facets.iter_mut().for_each(|page| *page = self.facets.get(*page).facet);
+        } else {
+            facets.try_extend(self.facets.facets_at(vertex))?;
+        }
+        Ok(facets)
+    }
+
+    /// Returns true if two facets meet where two of their vertices are seen at a small angle.
+    fn meet_at_small_angle(&self, f: u32, g: u32, [u, v]: [VertexId; 2], small: [f64; 2]) -> bool {
+        self.facets.meetings(f, g).iter().any(|&(.., at)| match at {
+            Meeting::Line(line) => {
+                let ends = self.segments.chains.lines[line as usize].ends;
+                self.cosine_at(&self.foot(ends, u, v), u, v) > small[1]
+            }
+            Meeting::Vertex(vertex) => self.cosine_at(self.delaunay.point(vertex), u, v) > small[0],
+        })
+    }
+
+    /// Returns the point of a line that is nearest to the middle of two vertices.
+    pub(in crate::netmesh) fn foot(
+        &self,
+        ends: [VertexId; 2],
+        u: VertexId,
+        v: VertexId,
+    ) -> [f64; 3] {
+        let [a, b, u, v] = [ends[0], ends[1], u, v].map(|vertex| self.delaunay.point(vertex));
+        let unit = distance(a, b);
+        let way: [f64; 3] = std::array::from_fn(|k| (b[k] - a[k]) / unit);
+        let middle: [f64; 3] = std::array::from_fn(|k| 0.5 * (u[k] - a[k]) + 0.5 * (v[k] - a[k]));
+        let along: f64 = (0..3).map(|k| way[k] * (middle[k] / unit)).sum();
+        let along = along.clamp(0.0, 1.0) * unit;
+        std::array::from_fn(|k| a[k] + along * way[k])
+    }
+
+    /// Returns the cosine of the angle at which two vertices are seen from `x`.
+    pub(in crate::netmesh) fn cosine_at(&self, x: &[f64; 3], u: VertexId, v: VertexId) -> f64 {
+        let [u, v] = [u, v].map(|vertex| {
+            let to = self.delaunay.point(vertex);
+            std::array::from_fn::<f64, 3, _>(|k| to[k] - x[k])
+        });
+        cosine(&u, &v)
+    }
+}
+
+/// Returns the cosine of the angle between two directions.
+pub(in crate::netmesh) fn cosine(u: &[f64; 3], v: &[f64; 3]) -> f64 {
+    let lengths = [norm(u), norm(v)];
+    (0..3).map(|k| (u[k] / lengths[0]) * (v[k] / lengths[1])).sum()
+}

@@ -1,0 +1,104 @@
+//! Small angles of the input, and features that are near each other.
+
+use super::{Solid, bounded, cuboid, volume};
+
+/// Returns the prism over a triangle with the given angle, in degrees.
+fn wedge(degrees: f64) -> Solid {
+    let (sine, cosine) = degrees.to_radians().sin_cos();
+    let triangle = |z: f64| [[0.0, 0.0, z], [1.0, 0.0, z], [cosine, sine, z]];
+    Solid {
+        points: [triangle(0.0), triangle(1.0)].concat(),
+        polygons: vec![
+            vec![0, 2, 1],
+            vec![3, 4, 5],
+            vec![0, 1, 4, 3],
+            vec![1, 2, 5, 4],
+            vec![2, 0, 3, 5],
+        ],
+        regions: Vec::new(),
+    }
+}
+
+#[test]
+fn wedges_of_any_angle_conform_with_their_inputs() {
+    for degrees in [30.0, 5.0, 1.0, 0.1, 1e-3, 1e-5] {
+        let mesh = wedge(degrees).run(&bounded(f64::INFINITY));
+        assert_eq!((mesh.vertex_count(), mesh.simplex_count()), (6, 3), "{degrees}");
+    }
+}
+
+#[test]
+fn refinement_of_wedges_ends() {
+    for degrees in [30.0, 5.0, 1.0, 0.1, 1e-3] {
+        let mesh = wedge(degrees).run(&bounded(2.0));
+        assert!(mesh.vertex_count() <= 100, "{degrees}: {} vertices", mesh.vertex_count());
+        let whole = 0.5 * degrees.to_radians().sin();
+        assert!((volume(&mesh) / whole - 1.0).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn thin_slabs_conform_with_their_corners() {
+    for thickness in [1e-3, 1e-6, 1e-9, 1e-12] {
+        let mesh = cuboid([0.0; 3], [1.0, 1.0, thickness]).run(&bounded(f64::INFINITY));
+        assert_eq!(mesh.vertex_count(), 8, "{thickness}");
+    }
+}
+
+#[test]
+fn facets_about_a_segment_meet_it_in_any_number() {
+    for count in [3, 8, 64] {
+        let mut solid = Solid::default();
+        let place = |at: u32, z: f64| {
+            let angle = std::f64::consts::TAU * f64::from(at) / f64::from(count);
+            [angle.cos(), angle.sin(), z]
+        };
+        solid.points = vec![[0.0; 3], [0.0, 0.0, 1.0]];
+        solid.points.extend((0..count).flat_map(|at| [place(at, 0.0), place(at, 1.0)]));
+        for at in 0..count {
+            let [low, next] = [at, (at + 1) % count].map(|at| 2 + 2 * at);
+            solid.polygons.push(vec![0, low, low + 1, 1]);
+            solid.polygons.push(vec![low, next, next + 1, low + 1]);
+            solid.polygons.push(vec![0, next, low]);
+            solid.polygons.push(vec![1, low + 1, next + 1]);
+        }
+        let mesh = solid.run(&bounded(f64::INFINITY));
+        assert_eq!(mesh.vertex_count(), 2 + 2 * count as usize);
+        solid.run(&bounded(2.0));
+    }
+}
+
+/// Schönhardt's prism has no triangulation of its vertices.
+#[test]
+fn a_twisted_prism_gets_vertices() {
+    for turn in [30.0f64, 1e-3] {
+        let ring = |turn: f64, z: f64| {
+            [0.0f64, 120.0, 240.0].map(|angle| {
+                let (sine, cosine) = (angle + turn).to_radians().sin_cos();
+                [cosine, sine, z]
+            })
+        };
+        let points = [ring(0.0, 0.0), ring(60.0 - turn, 1.0)].concat();
+        let polygons = vec![vec![0, 2, 1], vec![3, 4, 5]];
+        let mut solid = Solid { points, polygons, regions: Vec::new() };
+        for i in 0..3u32 {
+            let j = (i + 1) % 3;
+            solid.polygons.push(vec![i, j, 3 + i]);
+            solid.polygons.push(vec![j, 3 + j, 3 + i]);
+        }
+        let mesh = solid.run(&bounded(f64::INFINITY));
+        assert!(mesh.vertex_count() <= 20, "{turn}: {}", mesh.vertex_count());
+    }
+}
+
+/// A domain that is far larger than what is in it costs no more at any scale.
+#[test]
+fn nested_boxes_conform_at_any_ratio() {
+    let mut counts = Vec::new();
+    for ratio in [2f64.powi(-10), 2f64.powi(-200), 2f64.powi(-900)] {
+        let inner = cuboid([-ratio; 3], [ratio; 3]);
+        let mesh = cuboid([-1.0; 3], [1.0; 3]).with(&inner).run(&bounded(f64::INFINITY));
+        counts.push(mesh.vertex_count());
+    }
+    assert_eq!(counts, [16; 3]);
+}

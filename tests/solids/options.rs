@@ -1,0 +1,56 @@
+//! Options that go with facets, and those that do not.
+
+use super::{bounded, cuboid};
+use netmesh::error::ErrorKind;
+use netmesh::options::{Extent, Interior, Options, Output};
+
+fn refusal(options: &Options) -> String {
+    let error = cuboid([0.0; 3], [1.0; 3]).mesh().run(options, None).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::InvalidArgument, "{error}");
+    error.message().to_owned()
+}
+
+#[test]
+fn what_does_not_go_with_facets_is_refused_by_name() {
+    let plain = Options::default();
+    let dihedral = refusal(&Options { min_dihedral: 5.0, ..plain.clone() });
+    assert_eq!(dihedral, "options.min_dihedral is 5; it must be 0 with facets");
+    let distance = refusal(&Options { distance_ratio: 0.5, ..plain.clone() });
+    assert!(distance.starts_with("options.distance_ratio is 0.5; it must be 0"), "{distance}");
+    for extent in [Extent::Box, Extent::Hull] {
+        let message = refusal(&Options { extent, ..plain.clone() });
+        assert!(message.ends_with("is for 2D; the mesh has dimension 3"), "{message}");
+    }
+    let (extent, interior) = (Extent::All, Interior::Parity);
+    let message = refusal(&Options { extent, interior, ..plain });
+    assert!(message.contains("does not go with"), "{message}");
+}
+
+#[test]
+fn an_infinite_bound_is_for_facets() {
+    let mut cube = cuboid([0.0; 3], [1.0; 3]).mesh();
+    cube.set_facets(&[], &[], &[], None).unwrap();
+    let message = cube.run(&bounded(f64::INFINITY), None).unwrap_err().message().to_owned();
+    assert!(message.starts_with("options.quality_bound is inf; it must be 0"), "{message}");
+}
+
+#[test]
+fn open_surfaces_enclose_nothing() {
+    let mut solid = cuboid([0.0; 3], [1.0; 3]);
+    solid.polygons.pop();
+    let mesh = solid.run(&Options::default());
+    assert_eq!(mesh.parameters.extent, Extent::All);
+    assert!(mesh.vertex_count() > 8);
+    let inside = Options { extent: Extent::Boundary, ..Options::default() };
+    for interior in [Interior::Auto, Interior::Parity, Interior::Winding] {
+        let options = Options { interior, ..inside.clone() };
+        let error = solid.mesh().run(&options, None).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::InvalidArgument, "{error}");
+    }
+}
+
+#[test]
+fn a_domain_is_well_spaced_unless_asked_otherwise() {
+    let mesh = cuboid([0.0; 3], [1.0; 3]).run(&Options::default());
+    assert_eq!(mesh.parameters.output, Output::WellSpaced);
+}

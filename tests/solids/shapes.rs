@@ -1,0 +1,142 @@
+//! Shapes whose volumes are known.
+
+use super::{Point, Solid, assert_none_excused, bounded, cuboid, volume};
+use netmesh::options::{Extent, Interior, Options};
+use netmesh::{NONE, Region};
+
+/// Returns a place in a frame that is parallel to no axis.
+fn tilted([x, y, z]: Point) -> Point {
+    let (s, c) = 0.7f64.sin_cos();
+    let (x, y) = (c * x - s * y, s * x + c * y);
+    let (s, c) = 0.4f64.sin_cos();
+    [x + 0.1, c * y - s * z, s * y + c * z]
+}
+
+#[test]
+fn a_cube_needs_no_vertex_of_its_own() {
+    let mesh = cuboid([0.0; 3], [1.0; 3]).run(&Options::default());
+    assert_eq!(mesh.vertex_count(), 8);
+    assert!((volume(&mesh) - 1.0).abs() < 1e-15);
+    assert_eq!(mesh.parameters.extent, Extent::Boundary);
+    assert_eq!((mesh.boundary.subfacets.len(), mesh.boundary.subsegments.len()), (12, 12));
+    // Inside is behind the facets, whose normals point outside.
+    assert!(
+        mesh.boundary
+            .subfacet_simplices
+            .iter()
+            .all(|&[front, back]| { front == NONE && (back as usize) < mesh.simplex_count() })
+    );
+}
+
+#[test]
+fn boxes_at_any_place_and_scale_keep_the_bound() {
+    for scale in [1.0, 2f64.powi(-300), 2f64.powi(300)] {
+        let solid = cuboid([0.0; 3], [3.0, 1.0, 0.3]).moved(tilted);
+        let mesh = solid.moved(|x| x.map(|x| x * scale)).run(&bounded(2.0));
+        let whole = 0.9 * scale.powi(3);
+        // Volumes of the smallest scale are no normal numbers.
+        assert!(scale < 1e-80 || (volume(&mesh) / whole - 1.0).abs() < 1e-12);
+        assert_none_excused(&mesh);
+    }
+}
+
+#[test]
+fn regions_have_labels_and_sizes() {
+    let mut solid = cuboid([0.0; 3], [1.0; 3]).with(&cuboid([0.25; 3], [0.75; 3]));
+    let region = |x: f64, label, max_edge| Region {
+        seed: [x, 0.5, 0.5],
+        label,
+        max_edge,
+        ..Region::default()
+    };
+    solid.regions = vec![region(0.1, 7, 0.0), region(0.5, -3, 0.125)];
+    let mesh = solid.run(&Options { interior: Interior::Seeds, ..bounded(2.0) });
+    assert!((volume(&mesh) - 1.0).abs() < 1e-14);
+    let mut inner = 0.0;
+    for (simplex, &label) in mesh.boundary.simplex_regions.iter().enumerate() {
+        let ends = [0, 1, 2, 3].map(|at| mesh.point(mesh.simplex(simplex)[at]));
+        let middle = [0, 1, 2].map(|k| ends.iter().map(|x| x[k]).sum::<f64>() / 4.0);
+        let is_inner = middle.iter().all(|x| (0.25..0.75).contains(x));
+        assert_eq!(label, if is_inner { -3 } else { 7 }, "{middle:?}");
+        for (a, b) in (0..4).flat_map(|i| (0..i).map(move |j| (i, j))) {
+            let square: f64 = (0..3).map(|k| (ends[a][k] - ends[b][k]).powi(2)).sum();
+            assert!(!is_inner || square.sqrt() <= 0.125);
+        }
+        inner += f64::from(is_inner);
+    }
+    assert!(inner > 0.0);
+}
+
+#[test]
+fn boxes_in_boxes_are_holes_by_parity_and_not_by_winding() {
+    let solid = cuboid([0.0; 3], [1.0; 3]).with(&cuboid([0.25; 3], [0.75; 3]));
+    let with = |interior| Options { interior, ..bounded(2.0) };
+    for (interior, expected) in [(Interior::Parity, 0.875), (Interior::Winding, 1.0)] {
+        let mesh = solid.run(&with(interior));
+        assert!((volume(&mesh) - expected).abs() < 1e-14, "{interior:?}");
+    }
+    let mut turned = solid.clone();
+    turned.polygons[6..].iter_mut().for_each(|polygon| polygon.reverse());
+    let mesh = turned.run(&with(Interior::Winding));
+    assert!((volume(&mesh) - 0.875).abs() < 1e-14);
+}
+
+#[test]
+fn facets_end_in_the_domain_and_have_holes() {
+    let mut solid = cuboid([0.0; 3], [4.0; 3]);
+    solid.points.extend([[1.0, 1.0, 2.0], [3.0, 1.0, 2.0], [3.0, 3.0, 2.0], [1.0, 3.0, 2.5]]);
+    solid.polygons.push(vec![8, 9, 10]);
+    solid.points.truncate(11);
+    let mesh = solid.run(&bounded(2.0));
+    assert!((volume(&mesh) - 64.0).abs() < 1e-12);
+    let area: usize = mesh.boundary.subfacet_parents.iter().filter(|&&parent| parent == 6).count();
+    assert!(area > 0);
+    assert_none_excused(&mesh);
+}
+
+#[test]
+fn a_surface_of_triangles_is_joined_where_it_is_plane() {
+    // A cube of 6 n^2 squares, each two triangles.
+    let (n, mut points, mut triangles) = (4u32, Vec::<Point>::new(), Vec::<u32>::new());
+    let mut input = |x: Point| {
+        let known = points.iter().position(|&other| other == x);
+        known.unwrap_or_else(|| {
+            points.push(x);
+            points.len() - 1
+        }) as u32
+    };
+    for (axis, side) in (0..3).flat_map(|axis| [(axis, 0), (axis, n)]) {
+        for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
+            let mut at = |i: u32, j: u32| {
+                let mut x = [0.0; 3];
+                (x[axis], x[(axis + 1) % 3], x[(axis + 2) % 3]) = (side.into(), i.into(), j.into());
+                input(tilted(x))
+            };
+            let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+            let turned = if side == 0 { [a, c, b, a, d, c] } else { [a, b, c, a, c, d] };
+            triangles.extend(turned);
+        }
+    }
+    let mut mesh = netmesh::Mesh::new(3, points.len(), points.as_flattened(), 0).unwrap();
+    mesh.set_triangles(&triangles, None).unwrap();
+    mesh.run(&bounded(2.0), None).unwrap();
+    super::assert_holds(&mesh);
+    let made = mesh.result().unwrap();
+    assert!((volume(made) / f64::from(n.pow(3)) - 1.0).abs() < 1e-12);
+    let mut parents = made.boundary.subfacet_parents.clone();
+    parents.dedup();
+    assert_eq!(parents.len(), 6);
+    // The twelve edges of the cube are split at inputs alone.
+    assert_eq!(made.boundary.subsegments.len(), 12 * n as usize);
+    assert_none_excused(made);
+}
+
+#[test]
+fn the_same_comes_of_the_same() {
+    let solid: Solid = cuboid([0.0; 3], [3.0, 1.0, 0.3]).moved(tilted);
+    let [first, second] = [1, 2].map(|threads| solid.run(&Options { threads, ..bounded(1.5) }));
+    let bits = |x: &f64| x.to_bits();
+    assert!(first.points.iter().map(bits).eq(second.points.iter().map(bits)));
+    assert_eq!(first.simplices, second.simplices);
+    assert_eq!(first.boundary.subfacets, second.boundary.subfacets);
+}

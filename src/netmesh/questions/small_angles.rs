@@ -5,9 +5,9 @@
 
 use crate::complex::{SimplexId, VertexId};
 use crate::memory::{AllocResult, TryGrow};
-use crate::netmesh::insertion::near_facets::EDGES;
 use crate::netmesh::state::State;
 use crate::netmesh::state::facets::Meeting;
+use crate::netmesh::state::facets::faces::EDGES;
 use crate::numerics::{distance, norm, shortest_distance};
 
 /// Largest cosine of angles between segments, or a segment and a facet, that are not small.

@@ -234,7 +234,7 @@ fn off_refuses_damaged_files() {
             ),
             (b"OFF\n1 0 0\n1 2\n", Broken, "line 3: 2 coordinates where 3 are expected"),
             (b"nOFF 4\n1 0 0\n1 2 3\n", Broken, "line 3: 3 coordinates where 4 are expected"),
-            (b"OFF\n1 1 0\n1 2 3\n2 0 1\n", Broken, "line 4: vertex id 1 of 1 vertices"),
+            (b"OFF\n1 1 0\n1 2 3\n2 0 1\n", Broken, "line 4, column 3: vertex id 1 of 1 vertices"),
             (
                 b"OFF\n1 1 0\n1 2 3\n3 0 0\n",
                 Broken,

@@ -260,7 +260,7 @@ fn surfaces_and_complexes_are_facets_of_the_mesh() {
     assert_eq!(mesh.given_facets().inputs, [0, 1, 2, 0, 1, 3, 0, 2, 3, 1, 2, 3]);
     assert_eq!(mesh.given_facets().markers, [0; 4]);
     let poly = "4 3\n0 0 0 0\n1 1 0 0\n2 0 1 0\n3 0 0 1\n3 1\n1 0 -3\n3 0 1 2\n2 0 4\n3 0 1 3\n\
-                1 2\n1 0 5\n2 2 3\n0\n1\n1 0.1 0.1 0.1 6 -1\n";
+                2 1 2\n1 0 5\n2 2 3\n0\n1\n1 0.1 0.1 0.1 6 -1\n";
     let mesh = table(poly, Format::Poly, "", "").unwrap().mesh(true).unwrap();
     let facets = mesh.given_facets();
     assert_eq!((facets.count(), facets.are_triangles), (2, false));

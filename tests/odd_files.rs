@@ -265,7 +265,7 @@ fn surfaces_and_complexes_are_facets_of_the_mesh() {
     let facets = mesh.given_facets();
     assert_eq!((facets.count(), facets.are_triangles), (2, false));
     assert_eq!(facets.markers, [-3, 4]);
-    assert_eq!(facets.loops(1).collect::<Vec<_>>(), [&[0, 1, 3][..], &[2]]);
+    assert_eq!(facets.loops(1).collect::<Vec<_>>(), [&[0, 1, 3][..], &[1, 2]]);
     assert_eq!(
         (&mesh.segments().inputs[..], &mesh.segments().markers[..]),
         (&[[2, 3]][..], &[5][..])

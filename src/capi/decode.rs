@@ -149,7 +149,7 @@ mod tests {
             assert_eq!(error.kind(), ErrorKind::InvalidArgument);
             assert_eq!(
                 error.message(),
-                format!("format is {value}; it must be one of nm_format, 0 to 14")
+                format!("format is {value}; it must be one of nm_format, 0 to 15")
             );
         }
     }

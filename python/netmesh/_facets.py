@@ -142,4 +142,4 @@ def intersections(points: Any, facets: Any = None, segments: Any = None) -> list
     rows = point_rows(points)
     boundary = boundary_of(segments, None, None, None, rows.shape[1])
     found = _intersections(rows, (*boundary, facets_of(facets, None)))
-    return [Intersection(kind, first, second, np.array(x)) for kind, first, second, x in found]
+    return [Intersection(kind, first, second, np.fromiter(x, np.float64)) for kind, first, second, x in found]

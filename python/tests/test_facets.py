@@ -154,7 +154,7 @@ def test_facets_are_for_space(dim):
             netmesh.mesh(points, facets=facets)
     with pytest.raises(netmesh.InvalidArgumentError, match="intersections are for 3D"):
         netmesh.intersections(points)
-    with pytest.raises(netmesh.InvalidArgumentError, match=f"coplanar is 1.0; it must be 0 in {dim}D"):
+    with pytest.raises(netmesh.InvalidArgumentError, match=f"coplanar is 1; it must be 0 in {dim}D"):
         netmesh.mesh(points, coplanar=1.0)
 
 

@@ -430,7 +430,7 @@ void facets() {
     for (const std::int32_t label : mesh.simplex_regions()) CHECK_EQUAL(label, 9);
     CHECK_EQUAL(mesh.validate().violations, 0u);
 
-    // As arrays, and as triangles, of which pairs are one facet.
+    // Arrays, and triangles of which pairs are one facet, make the same mesh.
     const std::string first = mesh.to_string(NM_FORMAT_VTU);
     std::vector<std::uint64_t> loops, starts;
     std::vector<std::uint32_t> inputs, corners;

@@ -1150,8 +1150,6 @@ enum nm_vertex_kind
 typedef int32_t nm_vertex_kind;
 #endif // __cplusplus
 
-typedef struct DoubleDouble DoubleDouble;
-
 /**
  * Points, and after nm_run their mesh. Made by nm_mesh_create and its like, freed by nm_mesh_free.
  * Functions that take a `const nm_mesh *` may run on one handle at the same time from any threads;

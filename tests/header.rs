@@ -124,7 +124,7 @@ fn the_constants_are_the_crates() {
     assert_eq!(constant("NM_NONE"), format!("{:#X}u", netmesh::NONE));
 }
 
-/// What a run says about `options.<field>` out of its range, in each dimension that has its own
+/// Returns the words of a run about `options.<field>` out of its range, in each dimension that has its own
 /// defaults (2, 3, 4 and more): the ranges and the defaults.
 fn ranges(refuse: impl Fn(&mut Options)) -> (Vec<String>, Vec<String>) {
     let mut options = Options::default();

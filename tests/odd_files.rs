@@ -191,7 +191,7 @@ fn elements_of_gmsh_are_left_out_by_their_types() {
     assert_eq!(left_out(four, Format::Gmsh), LeftOut { edges: 1, faces: 2, cells: 1 });
 }
 
-/// By the name of an `.ele` file its `.node` file is read, and the elements are not.
+/// An `.ele` file's name leads to its `.node` file, which is read; the elements are not.
 #[test]
 fn elements_beside_nodes_are_left_out_by_name() {
     let directory = Directory::new("elements");
@@ -319,7 +319,7 @@ fn complexes_that_others_wrote_are_read() {
     assert_eq!(labels, [1, 2]);
 }
 
-/// What could be read and cannot be meshed is told from what is no such file.
+/// Content that cannot be meshed is told from a file that is none of its format.
 #[test]
 fn what_files_say_is_told_from_how_they_say_it() {
     let points = "4 2\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n";

@@ -38,7 +38,7 @@ fn bits(values: &[f64]) -> Vec<u64> {
     values.iter().map(|value| if value.is_nan() { u64::MAX } else { value.to_bits() }).collect()
 }
 
-/// Of the five distinct stations.
+/// Temperatures of the five distinct stations.
 const TEMPERATURES: [f64; 5] = [12.5, -3.0, 4e300, f64::NAN, 0.1];
 
 #[test]
@@ -64,7 +64,7 @@ fn columns_by_name_are_attributes_at_the_inputs() {
     }
 }
 
-/// What a file of each format has is read from it again.
+/// The columns that a file of each format has are read from it again.
 #[test]
 fn every_format_that_holds_attributes_gives_them_back() {
     let bench = bench_with("every_format");

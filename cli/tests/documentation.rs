@@ -1,4 +1,4 @@
-//! What the documents say is what the code does.
+//! The documents say what the code does.
 
 mod workbench;
 
@@ -48,7 +48,7 @@ fn parameters(dim: usize, criterion: Criterion) -> Vec<(&'static str, f64)> {
     ]
 }
 
-/// As the table has it: one value where all dimensions agree, otherwise four.
+/// Returns a row of the table: one value where all dimensions agree, otherwise four.
 fn listed(values: [f64; 4]) -> String {
     let words = values.map(|value| value.to_string());
     if words.iter().all(|word| *word == words[0]) { words[0].clone() } else { words.join(", ") }

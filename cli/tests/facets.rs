@@ -65,7 +65,7 @@ fn a_surface_is_meshed_to_what_it_encloses() {
     );
 }
 
-/// What is wrong with the content of a file is told from what is no such file.
+/// Faults of a file's content are told from a file that is none of its format.
 #[test]
 fn what_is_wrong_with_facets_is_named() {
     let bench = Workbench::new("facets_refused");

@@ -148,7 +148,7 @@ fn an_existing_output_is_replaced() {
     assert!(bench.read("mesh.off").starts_with("OFF"));
 }
 
-/// What the library says of the spiral.
+/// Returns the library's mesh of the spiral.
 fn spiral_mesh(options: &netmesh::Options) -> netmesh::Mesh {
     let text = spiral(2);
     let numbers = text.split_whitespace().map(|word| word.parse().expect("a number"));

@@ -1,4 +1,4 @@
-//! What a person at a terminal sees and does: progress of every stage, and Ctrl-C.
+//! A person at a terminal, who sees and does this: progress of every stage, and Ctrl-C.
 #![cfg(unix)]
 
 mod workbench;

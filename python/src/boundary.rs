@@ -103,13 +103,16 @@ fn numbers(
 /// Kind of a feature, and its number.
 type Named = (&'static str, u32);
 
+/// Kind of an intersection, both features, and a point.
+type Told = (&'static str, Named, Named, [f64; 3]);
+
 /// Returns the kind, both features and a point of each intersection.
 #[pyfunction]
 pub fn intersections(
     py: Python<'_>,
     points: PyReadonlyArray2<'_, f64>,
     boundary: Boundary<'_>,
-) -> PyResult<Vec<(&'static str, Named, Named, [f64; 3])>> {
+) -> PyResult<Vec<Told>> {
     let mut mesh = mesh_of(py, &points)?;
     set_boundary(py, &mut mesh, &boundary)?;
     let found = abandonable(py, move || mesh.intersections())?;

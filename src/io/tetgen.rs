@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 pub(super) struct Parts {
     /// Edges that segments have become.
     pub edge: PathBuf,
-    /// The same in the plane, with holes.
+    /// Path of the domain's segments in the plane, with holes.
     pub poly: PathBuf,
     /// Triangles that facets have become.
     pub face: PathBuf,

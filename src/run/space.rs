@@ -1,4 +1,4 @@
-//! What a run in space must conform to.
+//! The arrangement that a run in space must conform to.
 
 use super::without_interior;
 use crate::arrangement::Poll;

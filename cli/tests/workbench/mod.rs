@@ -8,7 +8,7 @@ pub struct Workbench {
     directory: PathBuf,
 }
 
-/// How a run ended.
+/// End of a run.
 pub struct Outcome {
     pub code: i32,
     pub stdout: String,
@@ -65,7 +65,7 @@ impl Workbench {
         Outcome::new(&self.command(line).output().expect("the program starts"))
     }
 
-    /// The same with `text` on standard input.
+    /// Runs the program with `text` on standard input.
     #[allow(dead_code)] // not every test file has something for standard input
     pub fn run_with_input(&self, line: &str, text: &str) -> Outcome {
         self.write("standard input", text);

@@ -1,4 +1,4 @@
-//! Where the edges of a polygon meet each other though they must not.
+//! Edges of a polygon that meet each other though they must not.
 
 use super::boxes::{BoxTree, bounds_of};
 use super::meet::{Meeting, is_between, meet};

@@ -1,6 +1,6 @@
 //! The exact meeting of two triangles or segments in space.
 //!
-//! What two of them share is convex, and its corners are of few kinds: a vertex of one in a face of
+//! The set that two of them share is convex, and its corners are of few kinds: a vertex of one in a face of
 //! the other, an edge of one that crosses an edge or the interior of the other. Each corner is told
 //! by the least face of either that holds it, a set of vertices, which signs determine exactly; two
 //! corners are one point just if their faces are the same. Vertices are known by number, so that

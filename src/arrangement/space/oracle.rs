@@ -1,4 +1,4 @@
-//! What two triangles or segments with whole coordinates share, by clipping in fractions of integers
+//! The set that two triangles or segments with whole coordinates share, by clipping in fractions of integers
 //! of any size.
 
 use crate::mesh::IntersectionKind;

@@ -339,8 +339,7 @@ fn edges_and_facets_go_through_inputs_on_them() {
     assert_eq!(made.covered_segments, 1);
 }
 
-/// Of a facet that touches another in one place and goes through it in another, the crossing is
-/// told.
+/// A facet that touches another in one place and goes through it in another crosses it, as is told.
 #[test]
 fn the_worst_meeting_of_two_facets_is_told() {
     let mut points = CUBE.to_vec();

@@ -274,7 +274,7 @@ mod tests {
         assert_eq!(second, region([3.0, 3.0, 0.5], -4));
     }
 
-    /// As in TetGen, and not by the even-odd rule.
+    /// Holes of facets are TetGen's, and not by the even-odd rule.
     #[test]
     fn a_polygon_in_another_one_is_a_hole_only_with_a_point_in_it() {
         let points =

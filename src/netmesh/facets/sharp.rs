@@ -20,7 +20,9 @@ impl State<3> {
         for line in 0..count as u32 {
             pages.clear();
             ways.clear();
-            self.facets.collect_subfacets(line, &mut pages)?;
+            for page in self.facets.pages(line) {
+                pages.try_push(page)?;
+            }
             for &page in &pages {
                 ways.try_push(self.way_into(page, line))?;
             }

@@ -6,12 +6,8 @@ use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::memory::{AllocResult, TryGrow};
 use crate::netmesh::state::State;
-use crate::netmesh::state::facets::faces::FACES;
+use crate::netmesh::state::facets::faces::{EDGES, FACES};
 use crate::numerics::{distance, in_diametral_ball};
-
-/// Pairs of positions of a simplex's vertices: its edges.
-pub(in crate::netmesh) const EDGES: [[usize; 2]; 6] =
-    [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
 
 impl State<3> {
     /// Finds the subsegments and subfacets of the simplices in `cavity`, and which of them a point

@@ -14,7 +14,8 @@
 //! - `release`: RELEASECAGE, and OUTENCROACH.
 //! - `cage`: NEWCAGE and GROWCAGE.
 //! - `insert_input`: INSERTINPUT.
-//! - `recover`: subsegments are split until they are edges.
+//! - `recover`: subsegments are split until they are edges; `recover_facets`: subfacets, until they are
+//!   faces; `recover_boundary`: both, and what a Steiner point would encroach.
 //! - `yielding_insert`: YIELDINGINSERT of a Steiner point.
 //! - `cage_gap`: a gap between the vertices of a cage is narrowed.
 //! - `clean`: CLEAN.
@@ -24,6 +25,7 @@ pub(super) mod cage_gap;
 pub(super) mod clean;
 pub(super) mod insert_input;
 pub(super) mod recover;
+pub(super) mod recover_boundary;
 pub(super) mod recover_facets;
 pub(super) mod release;
 pub(super) mod template;

@@ -1,6 +1,6 @@
 //! Recovery: every subsegment becomes an edge whose diametral ball no vertex is in, and stays one.
 
-use crate::complex::{SimplexId, VertexId};
+use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, TryGrow};
@@ -11,19 +11,7 @@ use crate::netmesh::state::segments::{At, Crowded, Segments, name_of};
 use crate::netmesh::state::{Mesher, State};
 use crate::numerics::{distance, in_diametral_ball};
 
-/// The subsegments that a Steiner point would encroach, and what became of them.
-pub(super) enum Encroachment {
-    /// The point encroaches none.
-    None,
-    /// Some of them have been split.
-    Split,
-    /// Doubles have no room for a vertex on any of them.
-    TooShort,
-    /// They are too small beside the simplex that asks for the point.
-    Refused,
-}
-
-/// What a subsegment needs to be recovered.
+/// Needs of a subsegment to be recovered.
 #[derive(Clone, Copy, PartialEq)]
 enum Need {
     Nothing,
@@ -33,19 +21,6 @@ enum Need {
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Splits subsegments and subfacets until all that wait are recovered.
-    ///
-    /// # Errors
-    /// Fails as [`Self::recover_segments`] does.
-    pub(in crate::netmesh) fn recover_boundary(&mut self, cavity: &mut Cavity) -> Result<()> {
-        loop {
-            self.recover_segments(cavity)?;
-            if !self.recover_next_subfacet(cavity)? {
-                return Ok(());
-            }
-        }
-    }
-
     /// Splits subsegments until all that wait are recovered.
     ///
     /// # Errors
@@ -143,35 +118,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         debug_assert!(domain == ROOT || self.state.hierarchy.contains(domain, x));
         Ok(domain)
-    }
-
-    /// Splits the subsegments that a Steiner point at `x` for a simplex would encroach, and recovers
-    /// all.
-    pub(super) fn split_encroached(
-        &mut self,
-        simplex: SimplexId,
-        x: &[f64; D],
-        cavity: &mut Cavity,
-    ) -> Result<Encroachment> {
-        if !self.state.segments.is_active() {
-            return Ok(Encroachment::None);
-        }
-        if self.state.in_space().is_some() {
-            return self.split_encroached_in_space(simplex, x, cavity);
-        }
-        if !self.state.find_encroached(x, cavity)? {
-            return Ok(Encroachment::None);
-        }
-        let mut encroached = std::mem::take(&mut self.state.segments.encroached);
-        encroached.sort_unstable();
-        encroached.dedup();
-        let mut is_any = false;
-        for &subsegment in &encroached {
-            is_any |= self.split(subsegment, cavity)?;
-        }
-        self.state.segments.encroached = encroached;
-        self.recover_boundary(cavity)?;
-        Ok(if is_any { Encroachment::Split } else { Encroachment::TooShort })
     }
 }
 

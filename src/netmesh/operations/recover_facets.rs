@@ -7,7 +7,6 @@ use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow};
 use crate::mesh::NONE;
-use crate::netmesh::operations::recover::Encroachment;
 use crate::netmesh::questions::subfacets::OnSheet;
 use crate::netmesh::state::{Mesher, State};
 use crate::numerics::{distance, in_diametral_ball, shortest_distance};
@@ -49,7 +48,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Splits a part of the boundary; false where doubles have no room for a vertex on it, or where a
     /// subsegment would have to be split whose half is shorter than `least`.
-    fn split_boundary(&mut self, split: Split, least: f64, cavity: &mut Cavity) -> Result<bool> {
+    pub(super) fn split_boundary(
+        &mut self,
+        split: Split,
+        least: f64,
+        cavity: &mut Cavity,
+    ) -> Result<bool> {
         match split {
             Split::Subsegment(subsegment) if self.half_length(subsegment) < least => Ok(false),
             Split::Subsegment(subsegment) => self.split(subsegment, cavity),
@@ -120,44 +124,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.insert_into_cavity(vertex, cavity)?;
         Ok(true)
     }
-
-    /// Splits what a Steiner point at `x` for a simplex would encroach in space, subsegments first.
-    pub(super) fn split_encroached_in_space(
-        &mut self,
-        simplex: SimplexId,
-        x: &[f64; D],
-        cavity: &mut Cavity,
-    ) -> Result<Encroachment> {
-        let place = std::array::from_fn(|axis| x[axis]);
-        let Some(state) = self.state.in_space() else { return Ok(Encroachment::None) };
-        if !state.find_encroached_in_space(&place, cavity)? {
-            return Ok(Encroachment::None);
-        }
-        let least = state.keep_large(simplex);
-        let near = std::mem::take(&mut state.facets.near);
-        if near.subsegments.is_empty() && near.subfacets.is_empty() {
-            return Ok(Encroachment::Refused);
-        }
-        let mut is_any = false;
-        for &(subsegment, _) in &near.subsegments {
-            is_any |= self.split(subsegment, cavity)?;
-        }
-        if !is_any {
-            for &(subfacet, _) in &near.subfacets {
-                let Some(state) = self.state.in_space() else { break };
-                if state.facets.is_limited(subfacet) {
-                    continue;
-                }
-                let split = state.split_for(subfacet)?;
-                is_any |= self.split_boundary(split, least, cavity)?;
-            }
-        }
-        if let Some(state) = self.state.in_space() {
-            state.facets.near = near;
-        }
-        self.recover_boundary(cavity)?;
-        Ok(if is_any { Encroachment::Split } else { Encroachment::Refused })
-    }
 }
 
 impl State<3> {
@@ -201,7 +167,7 @@ impl State<3> {
 
     /// Returns what is to be split for a subfacet: a subsegment that is between it and the centre of
     /// its circle, or that the centre encroaches, or the subfacet itself at the centre.
-    fn split_for(&mut self, subfacet: u32) -> AllocResult<Split> {
+    pub(super) fn split_for(&mut self, subfacet: u32) -> AllocResult<Split> {
         let (center, _) = self.circle_of(subfacet);
         let x = self.facets.plane_of(subfacet).at(&center);
         if x.iter().any(|x| !x.is_finite()) {
@@ -247,7 +213,7 @@ impl State<3> {
     /// Keeps those of the encroached subsegments and subfacets that are large enough to be split for a
     /// simplex. What is smaller would be split for ever beside small angles of the input: each piece
     /// would ask for the next. Returns the least radius.
-    fn keep_large(&mut self, simplex: SimplexId) -> f64 {
+    pub(super) fn keep_large(&mut self, simplex: SimplexId) -> f64 {
         let vertices = self.delaunay.complex().vertices(simplex);
         let points: [&[f64; 3]; 4] = std::array::from_fn(|at| self.delaunay.point(vertices[at]));
         let least = GUARD * shortest_distance(&points).2;

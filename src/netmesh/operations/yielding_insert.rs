@@ -5,7 +5,7 @@ use crate::complex::SimplexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow};
-use crate::netmesh::operations::recover::Encroachment;
+use crate::netmesh::operations::recover_boundary::Encroachment;
 use crate::netmesh::questions::steiner_point::SteinerPoint;
 use crate::netmesh::state::{Mesher, State};
 

@@ -8,6 +8,7 @@
 //! - `nearby`: the vertices and inputs near a point.
 //! - `subsegments`: the edges that subsegments are, and the points that split them.
 //! - `subfacets`: whether subfacets are in the mesh, and ways through sheets.
+//! - `regions`: the region of a simplex.
 //! - `small_angles`: the simplices that small angles in space force.
 //! - `exempt`: the simplices that refinement leaves alone.
 //! - `permission`: the operations that the interface of a partition allows.
@@ -19,6 +20,7 @@ pub(super) mod exempt;
 pub(super) mod nearby;
 pub(super) mod permission;
 pub(super) mod quality;
+pub(super) mod regions;
 pub(super) mod small_angles;
 pub(super) mod steiner_point;
 pub(super) mod subfacets;

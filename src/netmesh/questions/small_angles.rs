@@ -4,10 +4,9 @@
 //! and N. J. Walkington, "When and why Delaunay refinement algorithms work", 2005).
 
 use crate::complex::{SimplexId, VertexId};
-use crate::memory::{AllocResult, TryGrow};
-use crate::netmesh::insertion::near_facets::EDGES;
 use crate::netmesh::state::State;
 use crate::netmesh::state::facets::Meeting;
+use crate::netmesh::state::facets::faces::EDGES;
 use crate::numerics::{distance, norm, shortest_distance};
 
 /// Largest cosine of angles between segments, or a segment and a facet, that are not small.
@@ -31,7 +30,7 @@ impl State<3> {
         let points: [&[f64; 3]; 4] = std::array::from_fn(|at| self.delaunay.point(vertices[at]));
         let (a, b, _) = shortest_distance(&points);
         let small = [SMALL, SMALL_DIHEDRAL];
-        if self.spans_small_angle([vertices[a], vertices[b]], small).unwrap_or(false) {
+        if self.spans_small_angle([vertices[a], vertices[b]], small) {
             return true;
         }
         let is_near = |&&vertex: &&VertexId| {
@@ -43,37 +42,38 @@ impl State<3> {
         }
         EDGES.iter().any(|&[i, j]| {
             let edge = [vertices[i], vertices[j]];
-            self.spans_small_angle(edge, [TINY; 2]).unwrap_or(false)
+            self.spans_small_angle(edge, [TINY; 2])
         })
     }
 
     /// Returns true if two vertices are on facets or segments that meet at a small angle, and on none
     /// that has both.
-    fn spans_small_angle(&self, [u, v]: [VertexId; 2], small: [f64; 2]) -> AllocResult<bool> {
+    fn spans_small_angle(&self, [u, v]: [VertexId; 2], small: [f64; 2]) -> bool {
         let chains = &self.segments.chains;
         if let (Some(first), Some(second)) = (chains.line_through(u), chains.line_through(v)) {
             let [first, second] = [first, second].map(|line| chains.lines[line as usize]);
             if let Some((center, _)) = first.corner_with(&second) {
                 let center = self.delaunay.point(center);
-                return Ok(self.cosine_at(center, u, v) > small[0]);
+                return self.cosine_at(center, u, v) > small[0];
             }
         }
-        let (own, others) = (self.facets_of(u)?, self.facets_of(v)?);
-        let meet = |f: &u32, g: &u32| self.meet_at_small_angle(*f, *g, [u, v], small);
-        let mut apart = own.iter().filter(|facet| !others.contains(facet));
-        Ok(apart.any(|f| others.iter().any(|g| !own.contains(g) && meet(f, g))))
+        let is_on = |vertex, facet| self.facets_of(vertex).any(|other| other == facet);
+        self.facets_of(u).filter(|&f| !is_on(v, f)).any(|f| {
+            let mut others = self.facets_of(v).filter(|&g| !is_on(u, g));
+            others.any(|g| self.meet_at_small_angle(f, g, [u, v], small))
+        })
     }
 
     /// Returns the facets that a vertex is on, an end of lines, on a line or between lines.
-    fn facets_of(&self, vertex: VertexId) -> AllocResult<Vec<u32>> {
-        let mut facets = Vec::new();
-        if let Some([before, _]) = self.segments.chains.subsegments_at(vertex) {
-            self.facets.collect_subfacets(before, &mut facets)?;
-            facets.iter_mut().for_each(|page| *page = self.facets.get(*page).facet);
-        } else {
-            facets.try_extend(self.facets.facets_at(vertex))?;
-        }
-        Ok(facets)
+    fn facets_of(&self, vertex: VertexId) -> impl Iterator<Item = u32> {
+        let subsegment = self.segments.chains.subsegments_at(vertex).map(|[before, _]| before);
+        let pages = subsegment.into_iter().flat_map(|before| self.facets.pages(before));
+        let own = pages.map(|page| self.facets.get(page).facet);
+        let others = match subsegment {
+            Some(_) => &[],
+            None => self.facets.facets_at(vertex),
+        };
+        own.chain(others.iter().copied())
     }
 
     /// Returns true if two facets meet where two of their vertices are seen at a small angle.

@@ -19,7 +19,9 @@ impl<'a> Anchors<'a> {
     /// Takes the corners of a box from the inputs. O(inputs). Ids must be in range.
     pub fn new(view: View<'a, 2>, inputs: usize, edges: &'a Edges) -> Self {
         let is_box = view.mesh.parameters.extent == Extent::Box;
-        Self { view, edges, inputs, corners: is_box.then(|| corners_of_box(view, inputs)) }
+        // The first vertices are the inputs.
+        let corners = || corners_of_box((0..inputs as u32).map(|vertex| *view.point(vertex)));
+        Self { view, edges, inputs, corners: is_box.then(corners) }
     }
 
     /// Returns true if `vertex` is an anchor: an input, a vertex of several segments or at the end
@@ -38,11 +40,11 @@ impl<'a> Anchors<'a> {
     }
 }
 
-/// Returns the corners of the box of the first vertices, which are the inputs, counterclockwise.
-pub(super) fn corners_of_box(view: View<'_, 2>, inputs: usize) -> [Point; 4] {
+/// Returns the corners of the box of some points, counterclockwise.
+pub(super) fn corners_of_box(points: impl Iterator<Item = Point>) -> [Point; 4] {
     let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-    for vertex in 0..inputs as u32 {
-        for (axis, &x) in view.point(vertex).iter().enumerate() {
+    for point in points {
+        for (axis, x) in point.into_iter().enumerate() {
             (low[axis], high[axis]) = (low[axis].min(x), high[axis].max(x));
         }
     }

@@ -78,7 +78,8 @@ fn check_pieces(
 /// Returns the vertices at the corners of the box of the inputs, counterclockwise; [`NONE`] where
 /// none is.
 fn vertices_of_box(inputs: &Inputs, view: View<'_, 2>) -> [u32; 4] {
-    corners_of_box(view, inputs.distinct()).map(|corner| {
+    let point = |vertex| [0, 1].map(|axis| inputs.distinct_point(vertex)[axis]);
+    corners_of_box((0..inputs.distinct()).map(point)).map(|corner| {
         let ends = view.mesh.boundary.subsegments.as_flattened();
         ends.iter().copied().find(|&end| *view.point(end) == corner).unwrap_or(NONE)
     })

@@ -5,7 +5,7 @@ use crate::memory::{AllocResult, filled};
 use crate::mesh::{NONE, Triangulation};
 use crate::quality::view::View;
 
-/// Where the walls are among the facets of the simplices.
+/// Walls among the facets of the simplices.
 pub(super) struct Walls {
     /// Simplex and slot -> the wall opposite the vertex there, or [`NONE`].
     of_slots: Vec<u32>,

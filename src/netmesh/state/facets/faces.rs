@@ -10,6 +10,10 @@ use std::hash::{BuildHasherDefault, Hash, Hasher};
 /// by the number of that vertex.
 pub(in crate::netmesh) const FACES: [[usize; 3]; 4] = [[1, 3, 2], [0, 2, 3], [0, 3, 1], [0, 1, 2]];
 
+/// Pairs of positions of a simplex's vertices: its edges.
+pub(in crate::netmesh) const EDGES: [[usize; 2]; 6] =
+    [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
+
 /// Three vertices of a face -> its subfacet.
 #[derive(Default)]
 pub(super) struct Faces {

@@ -252,19 +252,15 @@ impl Facets {
         }
     }
 
-    /// Adds the subfacets at a subsegment.
-    pub fn collect_subfacets(&self, subsegment: u32, pages: &mut Vec<u32>) -> AllocResult<()> {
-        let Some(first) = self.page_of(subsegment) else { return Ok(()) };
-        let mut page = first;
-        loop {
-            pages.try_push(page)?;
+    /// Returns the subfacets at a subsegment.
+    pub fn pages(&self, subsegment: u32) -> impl Iterator<Item = u32> {
+        let first = self.page_of(subsegment);
+        std::iter::successors(first, move |&page| {
             let own = self.get(page);
-            let edge = own.subsegments.iter().position(|&other| other == subsegment);
-            page = edge.map_or(first, |edge| own.neighbors[edge]);
-            if page == first {
-                return Ok(());
-            }
-        }
+            let edge = own.subsegments.iter().position(|&other| other == subsegment)?;
+            let next = own.neighbors[edge];
+            (Some(next) != first).then_some(next)
+        })
     }
 
     /// Finds which subfacets are connected without crossing a subsegment.

@@ -1,12 +1,9 @@
 //! Walls: what separates regions. In the plane these are the lines, in space the parts of facets
 //! between lines.
 
-use crate::complex::{SimplexId, VertexId};
-use crate::memory::AllocResult;
-use crate::netmesh::state::State;
+use crate::complex::VertexId;
 use crate::netmesh::state::facets::Facets;
 use crate::netmesh::state::facets::faces::FACES;
-use crate::netmesh::state::segments::Segments;
 use crate::netmesh::state::segments::chain::Chains;
 
 /// Lines of the plane, or facets of space.
@@ -81,21 +78,5 @@ impl Walls<'_> {
             let is_behind = face[(start + 1) % 3] != subfacet.vertices[1];
             Some((number, usize::from(is_behind)))
         })
-    }
-}
-
-impl<const D: usize> State<D> {
-    /// Finds all regions. All of the boundary is recovered.
-    pub(in crate::netmesh) fn find_regions(&mut self) -> AllocResult<()> {
-        let State { delaunay, segments, facets, .. } = self;
-        let Segments { regions, chains, visited, .. } = segments;
-        regions.find(delaunay, Walls { chains, facets }, visited)
-    }
-
-    /// Returns the region of a live simplex. All of the boundary is recovered.
-    pub(in crate::netmesh) fn region_of(&mut self, simplex: SimplexId) -> AllocResult<u32> {
-        let State { delaunay, segments, facets, .. } = self;
-        let Segments { regions, chains, visited, .. } = segments;
-        regions.resolve(simplex, delaunay.complex(), Walls { chains, facets }, visited)
     }
 }

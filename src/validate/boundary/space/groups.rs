@@ -103,7 +103,7 @@ fn is_one_facet(triangles: &[[u32; 3]], pair: [Side; 2], ways: &Ways<'_>) -> boo
 /// Returns the parent of the subfacet that is beside the first subsegment of a triangle's edge as
 /// the triangle is: with its direction, and the least turned from it; or [`NONE`].
 fn parent_beside(triangles: &[[u32; 3]], (ends, triangle, is_along): Side, ways: &Ways<'_>) -> u32 {
-    let [a, b] = [ways.path()[0], ways.path()[1]];
+    let [a, b] = [ways.vertices_on_way()[0], ways.vertices_on_way()[1]];
     let edge = if is_along { [a, b] } else { [b, a] };
     let boundary = &ways.view.mesh.boundary;
     let along = direction(ways.view.point(a), ways.view.point(b));

@@ -153,7 +153,7 @@ fn expected_rim(
             is_whole = false;
             continue;
         }
-        for pair in ways.path().windows(2) {
+        for pair in ways.vertices_on_way().windows(2) {
             pieces.try_push(directed([pair[0], pair[1]]))?;
         }
     }
@@ -197,7 +197,7 @@ fn check_within(
         if !ways.check_edge(number, ends, findings)? {
             continue;
         }
-        for pair in ways.path().windows(2) {
+        for pair in ways.vertices_on_way().windows(2) {
             let (key, _) = directed([pair[0], pair[1]]);
             let is_there = edges.binary_search_by_key(&key, |edge| edge.0).is_ok();
             findings.check(is_there, || {

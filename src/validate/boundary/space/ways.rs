@@ -44,7 +44,7 @@ impl<'a> Ways<'a> {
     }
 
     /// Returns the vertices of the chain that was found last, from end to end.
-    pub fn path(&self) -> &[u32] {
+    pub fn vertices_on_way(&self) -> &[u32] {
         &self.path
     }
 

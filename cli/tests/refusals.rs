@@ -244,7 +244,7 @@ fn the_code_says_whether_the_file_or_its_content_is_wrong() {
     let points = "4 2\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n";
     let sides = "4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n";
     for (code, rest, more, words) in [
-        (4, "1 0\n1 1 9\n0\n", "", "line 7: point id 9; ids are 1 to 4"),
+        (4, "1 0\n1 1 9\n0\n", "", "line 7, column 3: point id 9; ids are 1 to 4"),
         (4, "1 0\n1 2 2\n0\n", "", "line 7: the segment has one point as both ends"),
         (4, "1 1\n1 1 2 0.5\n0\n", "", "line 7, column 4: 0.5 is no marker"),
         (4, "2 0\n1 1 3\n2 2 4\n0\n", "", "a.poly: segments[0] and segments[1] cross near"),
@@ -268,7 +268,7 @@ fn the_code_says_whether_the_file_or_its_content_is_wrong() {
     bench.write("a.poly", same);
     bench.run("a.poly").assert_failure(4, &["a.poly: segments[0]", "the same point"]);
     bench.write("a.poly", "4 3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n1 0\n");
-    bench.run("a.poly").assert_failure(4, &["a.poly", "TetGen's facets are not"]);
+    bench.run("a.poly").assert_failure(3, &["a.poly: the file ends after line 6: 0 of 1 facets"]);
     bench.write("a.wkt", "POLYGON((0 0,1 0,1 1,0 1))");
     bench.run("a.wkt").assert_failure(4, &["a.wkt", "its last position must be its first"]);
     bench.write("a.wkt", "POLYGON((0 0,1 0,1 1,0 0)");
@@ -276,7 +276,7 @@ fn the_code_says_whether_the_file_or_its_content_is_wrong() {
     bench.write("a.geojson", r#"{"type":"LineString","coordinates":[[0,0]]}"#);
     bench.run("a.geojson").assert_failure(4, &["a line with fewer than 2 positions"]);
     bench.write("a.off", "OFF\n2 1 0\n0 0 0\n1 0 0\n2 0 2\n");
-    bench.run("a.off").assert_failure(4, &["a.off: line 5: vertex id 2 of 2 vertices"]);
+    bench.run("a.off").assert_failure(4, &["a.off: line 5, column 3: vertex id 2 of 2 vertices"]);
     bench.write("a.stl", "solid\nendsolid\n");
     bench.run("a.stl").assert_failure(4, &["a.stl: an STL file is a surface"]);
     bench.write("a.obj", "v 0 0 0\n");

@@ -153,12 +153,12 @@ pub fn with_segments(options: &Options) -> Result<Options> {
     Ok(Options { criterion: Criterion::RadiusEdge, ..options.clone() })
 }
 
-/// Returns the parameters of a mesh with facets. An infinite bound asks for a mesh that conforms to
-/// them, and for no quality.
+/// Returns the parameters of a mesh with facets or segments in space. An infinite bound asks for a
+/// mesh that conforms to them, and for no quality.
 ///
 /// # Errors
 /// `InvalidArgument`, naming the option, its value and the rule.
-pub fn with_facets(options: &Options) -> Result<Parameters> {
+pub fn in_space(options: &Options) -> Result<Parameters> {
     let options = with_segments(options)?;
     let Options { min_dihedral, quality_bound, .. } = options;
     if min_dihedral != 0.0 {

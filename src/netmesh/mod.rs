@@ -10,10 +10,10 @@
 //! 7. [`refinement`]: FINISHMESH, the final refinement, and refinement by distance and size.
 //! 8. [`segments`]: edges that the mesh conforms to, in the plane, and the regions between them.
 //! 9. [`facets`]: faces that the mesh conforms to, in space.
-//! 9. [`slivers`]: tetrahedra with small dihedral angles are mended.
-//! 10. [`partitions`]: large meshes made in partitions, on several threads.
-//! 11. [`result`]: the arrays of the result.
-//! 12. [`distributed`]: partitions on several processes, of meshes that none of them has all of.
+//! 10. [`slivers`]: tetrahedra with small dihedral angles are mended.
+//! 11. [`partitions`]: large meshes made in partitions, on several threads.
+//! 12. [`result`]: the arrays of the result.
+//! 13. [`distributed`]: partitions on several processes, of meshes that none of them has all of.
 
 pub(crate) mod distributed;
 mod facets;
@@ -36,7 +36,7 @@ use crate::mesh::{Arrangement, Inputs, Triangulation, in_dimension};
 use crate::netmesh::state::Mesher;
 use crate::netmesh::state::sizes::Sizes;
 use crate::options::{Algorithm, Options, Output, ProgressFn, SizeFn};
-use crate::parameters::{Parameters, check_region_sizes, output_for, with_facets, with_segments};
+use crate::parameters::{Parameters, check_region_sizes, in_space, output_for, with_segments};
 pub(crate) use state::watch::Watch;
 use std::time::Instant;
 
@@ -116,12 +116,12 @@ pub fn run_sized(
     let options = &Options { output, ..options.clone() };
     let parameters = match &arrangement {
         None => Parameters::resolve(inputs.dim(), options)?,
-        Some(arrangement) => Parameters {
+        Some(_) => Parameters {
             // What is outside is not refined, and a partition does not know what is.
             inputs_per_partition: None,
-            ..match arrangement.facets.is_empty() {
-                true => Parameters::resolve(inputs.dim(), &with_segments(options)?)?,
-                false => with_facets(options)?,
+            ..match inputs.dim() {
+                3 => in_space(options)?,
+                dim => Parameters::resolve(dim, &with_segments(options)?)?,
             }
         },
     };

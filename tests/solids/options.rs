@@ -26,6 +26,19 @@ fn what_does_not_go_with_facets_is_refused_by_name() {
     assert!(message.contains("does not go with"), "{message}");
 }
 
+/// Slivers would be mended by moving vertices, also those on segments.
+#[test]
+fn segments_in_space_refuse_what_facets_do() {
+    let points = cuboid([0.0; 3], [1.0; 3]).points;
+    let mut mesh = netmesh::Mesh::new(3, points.len(), points.as_flattened(), 0).unwrap();
+    mesh.set_segments(&[0, 7], None).unwrap();
+    let options = Options { min_dihedral: 5.0, ..Options::default() };
+    let error = mesh.run(&options, None).unwrap_err();
+    assert_eq!(error.message(), "options.min_dihedral is 5; it must be 0 with facets");
+    mesh.run(&Options::default(), None).unwrap();
+    super::assert_holds(&mesh);
+}
+
 #[test]
 fn an_infinite_bound_is_for_facets() {
     let mut cube = cuboid([0.0; 3], [1.0; 3]).mesh();

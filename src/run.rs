@@ -197,13 +197,7 @@ impl Mesh {
             }
             Extent::Auto => Ok(()),
             Extent::Boundary => check_closed(self.inputs(), self.segments(), interior),
-            _ => refuse(say!(
-                rule,
-                " does not go with ",
-                Choice::Extent(extent),
-                ", but with ",
-                Choice::Extent(Extent::Boundary)
-            )),
+            _ => Err(refused_rule(interior, extent)),
         }
     }
 
@@ -237,6 +231,17 @@ fn forwards<'a>(
         *least = least.max(now.fraction);
         progress(&Progress { fraction: *least, ..*now })
     }
+}
+
+/// Returns the refusal of a rule for what is inside with an extent that has no use for one.
+fn refused_rule(interior: Interior, extent: Extent) -> Error {
+    Error::invalid(say!(
+        Choice::Interior(interior),
+        " does not go with ",
+        Choice::Extent(extent),
+        ", but with ",
+        Choice::Extent(Extent::Boundary)
+    ))
 }
 
 /// Returns the options of a run that keeps the whole mesh, without a rule for the interior.

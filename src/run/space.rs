@@ -1,6 +1,6 @@
 //! The arrangement that a run in space must conform to.
 
-use super::without_interior;
+use super::{refused_rule, without_interior};
 use crate::arrangement::Poll;
 use crate::arrangement::space::{
     TaskInSpace, arrange_in_space, check_closed_in_space, encloses_in_space,
@@ -56,13 +56,7 @@ impl Mesh {
                 let rule = Choice::Interior(interior);
                 Err(Error::invalid(say!(rule, " needs facets; the mesh has none")))
             }
-            Extent::All if has_rule => Err(Error::invalid(say!(
-                Choice::Interior(interior),
-                " does not go with ",
-                Choice::Extent(extent),
-                ", but with ",
-                Choice::Extent(Extent::Boundary)
-            ))),
+            Extent::All if has_rule => Err(refused_rule(interior, extent)),
             _ => Ok(()),
         }
     }

@@ -97,8 +97,8 @@ pub fn volume(mesh: &Triangulation) -> f64 {
     (0..mesh.simplex_count()).map(of).sum()
 }
 
-/// Fails if any simplex is excused from the bound: by a small angle of the input, or by doubles.
-/// What is not is kept to it by the certificate.
+/// Fails if any simplex is excused from the bound: by a small angle of the input, or by doubles. The
+/// certificate keeps all others to it.
 pub fn assert_none_excused(mesh: &Triangulation) {
     assert!(mesh.boundary.forced.is_empty(), "{} forced", mesh.boundary.forced.len());
     assert!(!mesh.precision_limited.contains(&true));

@@ -18,9 +18,7 @@ impl Mesher<'_, '_, 3> {
         arrangement: &Arrangement,
         cavity: &mut Cavity,
     ) -> Result<()> {
-        self.state.stage.bound = f64::INFINITY;
-        let center = self.start_outer_cage(cavity)?;
-        self.insert_points(center, cavity)?;
+        self.begin_to_conform(arrangement, cavity)?;
         let vertices = self.vertices_of_inputs()?;
         let mut lines = with_capacity(arrangement.subsegments.len())?;
         for &Subsegment { ends, segment, balance } in &arrangement.subsegments {

@@ -7,7 +7,7 @@ use crate::delaunay::Cavity;
 use crate::memory::{AllocResult, TryGrow};
 use crate::netmesh::state::State;
 use crate::netmesh::state::facets::faces::{EDGES, FACES};
-use crate::numerics::{distance, in_diametral_ball};
+use crate::numerics::in_diametral_ball;
 
 impl State<3> {
     /// Finds the subsegments and subfacets of the simplices in `cavity`, and which of them a point
@@ -94,11 +94,9 @@ impl State<3> {
             let [a, b] = [a, b].map(|end: VertexId| self.delaunay.point(end));
             is_crossed || in_diametral_ball(a, b, x).is_positive()
         });
-        near.subfacets.retain(|&(subfacet, is_crossed)| {
-            let (center, radius) = self.circle_of(subfacet);
-            is_crossed || distance(&center, x) < radius
-        });
-        let is_any = !near.subsegments.is_empty() || !near.subfacets.is_empty();
+        near.subfacets
+            .retain(|&(subfacet, is_crossed)| is_crossed || self.is_in_circle(subfacet, x));
+        let is_any = !near.is_empty();
         self.facets.near = near;
         Ok(is_any)
     }

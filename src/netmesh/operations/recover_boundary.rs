@@ -74,10 +74,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
             return Ok(Encroachment::None);
         }
         let least = state.keep_large(simplex);
-        let near = std::mem::take(&mut state.facets.near);
-        if near.subsegments.is_empty() && near.subfacets.is_empty() {
+        if state.facets.near.is_empty() {
             return Ok(Encroachment::Refused);
         }
+        let near = std::mem::take(&mut state.facets.near);
         let mut is_any = false;
         for &(subsegment, _) in &near.subsegments {
             is_any |= self.split(subsegment, cavity)?;

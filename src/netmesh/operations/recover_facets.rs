@@ -31,6 +31,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Splits one subfacet that is no face of the mesh, or the subsegment that is in its way. False
     /// if none waits.
     pub(super) fn recover_next_subfacet(&mut self, cavity: &mut Cavity) -> Result<bool> {
+        if self.state.facets.is_empty() {
+            return Ok(false);
+        }
         self.watch.poll_after(8)?;
         let Some(state) = self.state.in_space() else { return Ok(false) };
         let Some(subfacet) = state.next_missing()? else { return Ok(false) };
@@ -55,21 +58,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
         cavity: &mut Cavity,
     ) -> Result<bool> {
         match split {
-            Split::Subsegment(subsegment) if self.half_length(subsegment) < least => Ok(false),
+            Split::Subsegment(subsegment) if !self.state.may_split(subsegment, least) => Ok(false),
             Split::Subsegment(subsegment) => self.split(subsegment, cavity),
             Split::Subfacet(subfacet, x) => self.split_subfacet(subfacet, &x, least, cavity),
         }
-    }
-
-    /// Returns half the length of a subsegment of a sharp line; infinity for others.
-    fn half_length(&self, subsegment: u32) -> f64 {
-        let own = self.state.segments.chains.get(subsegment);
-        if !self.state.facets.is_sharp_line(own.line) {
-            return f64::INFINITY;
-        }
-        let ends = own.ends;
-        let [a, b] = ends.map(|end| self.state.delaunay.point(end));
-        0.5 * distance(a, b)
     }
 
     /// Inserts a vertex at `x` into a facet, or splits the subsegments that it would encroach; false
@@ -96,22 +88,22 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut encroached = std::mem::take(&mut state.facets.near.subsegments);
         let (mut is_any, mut is_short) = (false, false);
         for &(subsegment, _) in &encroached {
-            match self.half_length(subsegment) < least {
-                true => is_short = true,
-                false => is_any |= self.split(subsegment, cavity)?,
+            match self.state.may_split(subsegment, least) {
+                true => is_any |= self.split(subsegment, cavity)?,
+                false => is_short = true,
             }
         }
+        let has_searched = !encroached.is_empty();
         encroached.clear();
-        let Some(state) = self.state.in_space() else { return Ok(false) };
-        state.facets.near.subsegments = encroached;
+        self.state.facets.near.subsegments = encroached;
         if is_any || is_short {
             return Ok(is_any);
         }
-        // The splits that failed have changed nothing, but have searched cavities of their own.
         let place: [f64; D] = std::array::from_fn(|axis| x[axis]);
-        let near = self.state.delaunay.complex().incident(near);
-        let Some(start) = self.state.delaunay.locate(near, &place) else { return Ok(false) };
-        self.state.delaunay.find_cavity(start, &place, cavity)?;
+        if has_searched {
+            // The splits that failed have changed nothing, but have searched cavities of their own.
+            self.state.delaunay.find_cavity(start, &place, cavity)?;
+        }
         let domain = self.enter_from_segment(&place, cavity)?;
         let vertex = self.state.add_vertex(place)?;
         self.state.hierarchy.set_domain(vertex, domain);
@@ -123,6 +115,15 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.state.stats.segment_points += 1;
         self.insert_into_cavity(vertex, cavity)?;
         Ok(true)
+    }
+}
+
+impl<const D: usize> State<D> {
+    /// Returns true unless a subsegment is of a sharp line, and half of it is shorter than `least`.
+    fn may_split(&self, subsegment: u32, least: f64) -> bool {
+        let own = self.segments.chains.get(subsegment);
+        let [a, b] = own.ends.map(|end| self.delaunay.point(end));
+        !self.facets.is_sharp_line(own.line) || 0.5 * distance(a, b) >= least
     }
 }
 
@@ -218,12 +219,7 @@ impl State<3> {
         let points: [&[f64; 3]; 4] = std::array::from_fn(|at| self.delaunay.point(vertices[at]));
         let least = GUARD * shortest_distance(&points).2;
         let mut near = std::mem::take(&mut self.facets.near);
-        near.subsegments.retain(|&(subsegment, _)| {
-            let [a, b] = self.segments.chains.get(subsegment).ends;
-            let line = self.segments.chains.get(subsegment).line;
-            !self.facets.is_sharp_line(line)
-                || 0.5 * distance(self.delaunay.point(a), self.delaunay.point(b)) >= least
-        });
+        near.subsegments.retain(|&(subsegment, _)| self.may_split(subsegment, least));
         near.subfacets.retain(|&(subfacet, _)| {
             let facet = self.facets.get(subfacet).facet;
             !self.facets.is_sharp_facet(facet) || self.circle_of(subfacet).1 >= least

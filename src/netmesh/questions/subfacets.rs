@@ -207,7 +207,8 @@ impl State<3> {
         })
     }
 
-    /// Returns true if `x` is in the circle of a subfacet, or on it within roundings.
+    /// Returns true if `x` is in the smallest ball through the vertices of a subfacet, but for
+    /// roundings: in its plane that is its circle.
     pub(in crate::netmesh) fn is_in_circle(&self, subfacet: u32, x: &[f64; 3]) -> bool {
         let (center, radius) = self.circle_of(subfacet);
         distance(&center, x) < radius

@@ -80,6 +80,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Adds the subfacets, by facets, and the simplices on both sides of them.
     fn add_subfacets(&mut self, boundary: &mut Boundary, numbering: &Numbering) -> Result<()> {
         let facets = &self.state.facets;
+        if facets.is_empty() {
+            return Ok(());
+        }
         let count = facets.len();
         let mut order = collected(0..count as u32)?;
         let parent = |subfacet: u32| facets.facets[facets.get(subfacet).facet as usize].parent;
@@ -89,7 +92,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let chains = &self.state.segments.chains;
         for simplex in complex.simplices() {
             self.watch.poll_after(1)?;
-            if facets.is_empty() || !complex.is_live(simplex) || complex.is_infinite(simplex) {
+            if !complex.is_live(simplex) || complex.is_infinite(simplex) {
                 continue;
             }
             let vertices = complex.vertices(simplex);
@@ -111,9 +114,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Adds the simplices with all vertices on one facet.
     fn add_flat(&mut self, boundary: &mut Boundary, numbering: &Numbering) -> Result<()> {
         let (complex, facets) = (self.state.delaunay.complex(), &self.state.facets);
-        if facets.is_empty() {
-            return Ok(());
-        }
         let facets_at = facets.at_vertices(self.state.delaunay.point_count())?;
         for simplex in complex.simplices() {
             self.watch.poll_after(1)?;

@@ -14,17 +14,17 @@ impl<const D: usize> State<D> {
     /// found.
     pub(super) fn enclosed_regions(&self) -> AllocResult<Vec<bool>> {
         let regions = &self.segments.regions;
-        let walls = Walls { chains: &self.segments.chains, facets: &self.facets };
-        let balances = collected((0..walls.count(D)).map(|wall| walls.balance(D, wall)))?;
         if self.parameters.extent == Extent::All {
             return filled(regions.len(), true);
         }
+        let walls = Walls { chains: &self.segments.chains, facets: &self.facets };
+        let balances = || collected((0..walls.count(D)).map(|wall| walls.balance(D, wall)));
         match self.parameters.interior {
             Interior::Auto | Interior::Seeds => {
                 collected((0..regions.len()).map(|region| region as u32 != OUTSIDE))
             }
-            Interior::Parity => are_not_zero(&winding_numbers(regions, &balances, |x| x & 1)?),
-            Interior::Winding => are_not_zero(&winding_numbers(regions, &balances, |x| x)?),
+            Interior::Parity => are_not_zero(&winding_numbers(regions, &balances()?, |x| x & 1)?),
+            Interior::Winding => are_not_zero(&winding_numbers(regions, &balances()?, |x| x)?),
         }
     }
 }

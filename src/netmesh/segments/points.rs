@@ -20,11 +20,7 @@ use rand_core::Rng;
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Inserts all inputs. `center` is the one that is in already.
-    pub(in crate::netmesh) fn insert_points(
-        &mut self,
-        center: VertexId,
-        cavity: &mut Cavity,
-    ) -> Result<()> {
+    pub(super) fn insert_points(&mut self, center: VertexId, cavity: &mut Cavity) -> Result<()> {
         let rounds = self.state.rounds_of_inputs()?;
         let count = rounds.iter().copied().max().unwrap_or(0);
         self.state.conflict_lists.dismiss_unassigned();

@@ -28,17 +28,9 @@ pub(super) fn check(
     anchors: &Anchors<'_>,
     findings: &mut Findings,
 ) -> AllocResult<()> {
-    let limit = view.mesh.parameters.quality_bound;
     for &simplex in &view.mesh.boundary.forced {
         let vertices = view.simplex(simplex as usize);
-        let corner = Corner::new(&view.points_of(vertices)[..3])?;
-        let ratio =
-            corner.map_or(f64::INFINITY, |corner| corner.radius.ratio(corner.shortest_edge));
-        findings.check(ratio >= limit * (1.0 - SLACK), || {
-            let message =
-                message!("simplex {simplex} keeps the bound {limit}, and is no forced one");
-            Violation::new(ViolationKind::ForcedSimplex, message).simplex(simplex as usize)
-        });
+        check_bound(view, simplex, findings)?;
         let length = |[a, b]: [u32; 2]| Length::between(view.point(a), view.point(b));
         let pairs = [[0, 1], [1, 2], [2, 0]].map(|pair| pair.map(|at: usize| vertices[at]));
         let shortest = pairs.map(length).into_iter().fold(Length::INFINITE, Length::min);
@@ -52,6 +44,22 @@ pub(super) fn check(
             Violation::new(ViolationKind::ForcedSimplex, message).simplex(simplex as usize)
         });
     }
+    Ok(())
+}
+
+/// Checks that a simplex which is given as forced does not keep the bound.
+pub(super) fn check_bound<const D: usize>(
+    view: View<'_, D>,
+    simplex: u32,
+    findings: &mut Findings,
+) -> AllocResult<()> {
+    let limit = view.mesh.parameters.quality_bound;
+    let corner = Corner::new(&view.points_of(view.simplex(simplex as usize))[..=D])?;
+    let ratio = corner.map_or(f64::INFINITY, |corner| corner.radius.ratio(corner.shortest_edge));
+    findings.check(ratio >= limit * (1.0 - SLACK), || {
+        let message = message!("simplex {simplex} keeps the bound {limit}, and is no forced one");
+        Violation::new(ViolationKind::ForcedSimplex, message).simplex(simplex as usize)
+    });
     Ok(())
 }
 

@@ -10,7 +10,7 @@ pub(in crate::netmesh) mod plane;
 pub(in crate::netmesh) mod sheet;
 
 use crate::complex::{SimplexId, VertexId};
-use crate::memory::{AllocResult, Array, Lists, TryGrow, collected, filled};
+use crate::memory::{AllocError, AllocResult, Array, Lists, TryGrow, collected, filled};
 use crate::mesh::NONE;
 use crate::netmesh::state::facets::faces::Faces;
 use crate::netmesh::state::facets::plane::Plane;
@@ -58,6 +58,10 @@ pub(in crate::netmesh) struct NearBoundary {
 }
 
 impl NearBoundary {
+    pub fn is_empty(&self) -> bool {
+        self.subsegments.is_empty() && self.subfacets.is_empty()
+    }
+
     pub fn clear(&mut self) {
         self.subsegments.clear();
         self.subfacets.clear();
@@ -125,7 +129,7 @@ impl Subfacet {
     }
 }
 
-/// Two triangles of one facet share an edge, as `(lower end, upper end, triangle, edge)`.
+/// Edge of a triangle: its lower end, its upper end, the triangle, and its number there.
 type Side = (VertexId, VertexId, u32, u8);
 
 impl Facets {
@@ -222,9 +226,8 @@ impl Facets {
     ) -> AllocResult<()> {
         self.has_sharp = filled(self.facets.len(), false)?;
         for own in &self.subfacets {
-            let lines = own.subsegments.iter().filter(|&&line| line != NONE);
-            self.has_sharp[own.facet as usize] |=
-                lines.into_iter().any(|&line| is_sharp[line as usize]);
+            let mut lines = own.subsegments.iter().filter(|&&line| line != NONE);
+            self.has_sharp[own.facet as usize] |= lines.any(|&line| is_sharp[line as usize]);
         }
         meetings.sort_unstable();
         meetings.dedup();
@@ -332,7 +335,7 @@ impl Facets {
             return Ok(());
         }
         *is_waiting = true;
-        self.waiting.try_reserve(1).map_err(crate::memory::AllocError::from)?;
+        self.waiting.try_reserve(1).map_err(AllocError::from)?;
         let subfacet = std::cmp::Reverse(subfacet);
         self.waiting.push(Waiting { radius: radius.to_bits(), subfacet });
         Ok(())
@@ -367,7 +370,11 @@ impl Facets {
     }
 
     /// Forgets what was known of ids that new simplices have taken.
+    #[inline]
     pub fn forget(&mut self, created: &[SimplexId]) {
+        if self.kept.is_empty() {
+            return;
+        }
         for &simplex in created {
             if let Some(kept) = self.kept.get_mut(simplex.index()) {
                 *kept = false;

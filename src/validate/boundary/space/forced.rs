@@ -8,13 +8,11 @@ use super::flat::facets_at;
 use crate::error::message;
 use crate::memory::{AllocResult, Lists, TryGrow, collected};
 use crate::mesh::Inputs;
-use crate::quality::corner::Corner;
 use crate::quality::view::View;
+use crate::validate::boundary::forced::check_bound;
 use crate::validate::hull::Sets;
 use crate::validate::report::{Findings, Violation, ViolationKind};
 
-/// Lengths within this of each other, relative to the larger, are one: the builder's are rounded.
-const SLACK: f64 = 1e-7;
 /// The cosine of 60 degrees, at inputs; with roundings, which come down to it.
 const SMALL_ANGLE: f64 = 0.5 - 1e-9;
 /// The cosine of 90 degrees, at edges: nothing forces a simplex at a right angle, which is the
@@ -49,17 +47,9 @@ pub(super) fn check(
         return Ok(());
     }
     let mut features = Features::new(inputs.distinct(), view, faces)?;
-    let limit = view.mesh.parameters.quality_bound;
     for &simplex in &view.mesh.boundary.forced {
         let vertices = view.simplex(simplex as usize);
-        let corner = Corner::new(&view.points_of(vertices)[..4])?;
-        let ratio =
-            corner.map_or(f64::INFINITY, |corner| corner.radius.ratio(corner.shortest_edge));
-        findings.check(ratio >= limit * (1.0 - SLACK), || {
-            let message =
-                message!("simplex {simplex} keeps the bound {limit}, and is no forced one");
-            Violation::new(ViolationKind::ForcedSimplex, message).simplex(simplex as usize)
-        });
+        check_bound(view, simplex, findings)?;
         let is_forced = features.spans_small_angle(vertices)?;
         findings.check(is_forced, || {
             let message = message!(

@@ -109,9 +109,11 @@ impl<'a, const D: usize> Bender<'a, D> {
                 && (reach.is_near(piece, x)
                     || reach.is_beside(piece, x) && (is_shared(x) || runs_along(vertex)))
         });
+        // A vertex that pieces must share is no input, and so has no finer coordinates of its own.
         let mut kept = 0;
         for at in 0..found.len() {
-            if !near.has_beside(point(found[at]), &reach.grain())? {
+            let x = point(found[at]);
+            if is_shared(x) || !near.has_beside(x, &reach.grain())? {
                 found[kept] = found[at];
                 kept += 1;
             }

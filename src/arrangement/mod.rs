@@ -145,7 +145,7 @@ fn arrange_within(
         let swept = sweep(&ranked, &pieces, handling, poll)?;
         if swept.found.is_empty() && swept.snapped.is_empty() {
             let Some(mut ordered) = in_order(&ranked, reaches, &swept)? else { return Ok(None) };
-            if straighten(inputs, &mut points, &mut ordered)? {
+            if straighten(inputs + task.shared.len(), &mut points, &mut ordered)? {
                 pieces = ordered;
                 continue;
             }

@@ -15,14 +15,16 @@ pub(super) struct Near<const D: usize> {
     waiting: Vec<usize>,
 }
 
-/// Piece of a segment in the form that a filter in doubles needs.
+/// Piece of a segment in the form that a filter in doubles needs. Each axis has a scale of its own:
+/// the coordinates of a point may be any powers of two apart.
 struct Beam<const D: usize> {
     from: [f64; D],
-    /// Vector to the other end, divided by its longest component.
+    /// Half the vector to the other end, in units of `scale`.
     way: [f64; D],
     low: [f64; D],
     high: [f64; D],
-    margin: [f64; D],
+    /// Half the margin along each axis.
+    scale: [f64; D],
 }
 
 impl<const D: usize> Near<D> {
@@ -111,19 +113,17 @@ fn box_of<'a, const D: usize>(boxes: impl IntoIterator<Item = [&'a [f64; D]; 2]>
 impl<const D: usize> Beam<D> {
     fn new(reach: &Reach<D>, [from, to]: [&[f64; D]; 2]) -> Self {
         let margin = reach.margin();
-        let way: [f64; D] = std::array::from_fn(|k| to[k] - from[k]);
-        let longest = way.iter().fold(0.0f64, |longest, step| longest.max(step.abs()));
+        let scale = margin.map(|width| 0.5 * width);
         Self {
             from: *from,
-            way: way.map(|step| step / longest),
+            way: std::array::from_fn(|k| (0.5 * to[k] - 0.5 * from[k]) / scale[k]),
             low: std::array::from_fn(|k| from[k].min(to[k]) - margin[k]),
             high: std::array::from_fn(|k| from[k].max(to[k]) + margin[k]),
-            margin,
+            scale,
         }
     }
 
-    /// Returns false only if no point of the box is near the piece. Where vectors overflow,
-    /// comparisons with NaN leave it true.
+    /// Returns false only if no point of the box is near the piece.
     #[inline]
     fn meets(&self, [low, high]: [&[f64; D]; 2]) -> bool {
         for k in 0..D {
@@ -131,20 +131,55 @@ impl<const D: usize> Beam<D> {
                 return false;
             }
         }
-        let half: [f64; D] = std::array::from_fn(|k| 0.5 * high[k] - 0.5 * low[k]);
-        let middle: [f64; D] =
-            std::array::from_fn(|k| (0.5 * high[k] + 0.5 * low[k]) - self.from[k]);
+        // Quarters and halves of coordinates have sums that no double overflows.
+        let half: [f64; D] =
+            std::array::from_fn(|k| (0.25 * high[k] - 0.25 * low[k]) / self.scale[k]);
+        let middle: [f64; D] = std::array::from_fn(|k| {
+            ((0.25 * high[k] + 0.25 * low[k]) - 0.5 * self.from[k]) / self.scale[k]
+        });
         for second in 1..D {
             for first in 0..second {
                 let (u, v) = (self.way[first], self.way[second]);
                 let area = (u * middle[second] - v * middle[first]).abs();
-                let reach = u.abs() * (half[second] + self.margin[second])
-                    + v.abs() * (half[first] + self.margin[first]);
+                let reach = u.abs() * (half[second] + 1.0) + v.abs() * (half[first] + 1.0);
                 if area > reach {
                     return false;
                 }
             }
         }
         true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found(vertices: &[[f64; 2]], ends: [&[f64; 2]; 2]) -> Vec<u32> {
+        let mut found = Vec::new();
+        Near::new(vertices).unwrap().collect(&Reach::of(ends), ends, &mut found).unwrap();
+        found.sort_unstable();
+        found
+    }
+
+    #[test]
+    fn axes_may_differ_by_any_power_of_two() {
+        for power in (-1000..=900).step_by(100) {
+            let scale = 2f64.powi(power);
+            let [from, to] = [[-1e300, 0.0], [1e200, -scale]];
+            let vertices =
+                [[-1e100, -scale], [1e100, -scale], [1e100, -2.0 * scale], [-1e299, scale]];
+            assert_eq!(found(&vertices, [&from, &to]), [0, 1], "2^{power}");
+        }
+    }
+
+    #[test]
+    fn sums_that_overflow_lose_no_vertex() {
+        let [from, to] = [[-1.7e308, 0.0], [-1.6e308, 1.0]];
+        let mut vertices = vec![[-1.65e308, 0.5]];
+        vertices.extend((0..40).map(|k| [-1.6e308 + f64::from(k) * 5e306, 0.5]));
+        vertices.extend((0..40).map(|k| [1.79e308 - f64::from(k) * 5e306, 0.5]));
+        assert_eq!(found(&vertices, [&from, &to]), [0]);
+        assert_eq!(found(&vertices, [&[-1.7e308, 0.0], &[1.79e308, 0.0]]), []);
     }
 }

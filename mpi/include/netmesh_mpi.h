@@ -552,8 +552,8 @@ extern "C" {
  * its simplices, and those of vertices where inputs have other indices.
  *
  * Always refused: of the options algorithm other than NM_ALGORITHM_NETMESH, extent other than
- * NM_EXTENT_ALL, values of interior and crossings other than their defaults, instruments, max_edge,
- * size, distance_ratio and min_dihedral, on one rank too. There are no segments, regions, sizes at
+ * NM_EXTENT_ALL, values of interior, crossings and coplanar other than their defaults, instruments,
+ * max_edge, size, distance_ratio and min_dihedral, on one rank too. There are no segments, regions, sizes at
  * points or attributes.
  *
  * Small inputs are not shared out evenly. On 4 ranks the one with most has 1.2 times its share of the

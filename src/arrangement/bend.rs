@@ -107,9 +107,10 @@ impl<'a, const D: usize> Bender<'a, D> {
             let x = point(vertex);
             is_between(x)
                 && (reach.is_near(piece, x)
-                    || reach.is_beside(piece, x) && (is_shared(x) || runs_along(vertex)))
+                    || reach.is_beside(piece, x) && (is_shared(x) || runs_along(vertex))
+                    || is_shared(x) && reach.passes(piece, x))
         });
-        // A vertex that pieces must share is no input, and so has no finer coordinates of its own.
+        // A vertex that pieces must share is where one of them would have its own.
         let mut kept = 0;
         for at in 0..found.len() {
             let x = point(found[at]);

@@ -51,7 +51,7 @@ use bend::Bender;
 use crossings::{Straight, accept};
 use frame::Frame;
 use ranked::RankedVertices;
-use reach::{Position, Reach};
+use reach::{Position, Reach, is_on_line};
 use split::split;
 use straighten::straighten;
 use sweep::{Handling, Swept, sweep};
@@ -145,7 +145,8 @@ fn arrange_within(
         let swept = sweep(&ranked, &pieces, handling, poll)?;
         if swept.found.is_empty() && swept.snapped.is_empty() {
             let Some(mut ordered) = in_order(&ranked, reaches, &swept)? else { return Ok(None) };
-            if straighten(inputs + task.shared.len(), &mut points, &mut ordered)? {
+            let stays = |x: &[f64; 2], line: [&[f64; 2]; 2]| is_shared(x) && is_on_line(x, line);
+            if straighten(inputs, &mut points, &mut ordered, stays)? {
                 pieces = ordered;
                 continue;
             }

@@ -18,6 +18,10 @@ pub(super) const NEAR: f64 = 3.0;
 /// bent one goes through.
 const FARTHEST: f64 = 12.0;
 
+/// Largest distance from the straight segment, in units in the last place, of a vertex that the
+/// bent one passes within a unit: where it returns from a vertex farther off to its end.
+const OUTERMOST: f64 = 16.0;
+
 /// Length, in units in the last place, from which on two lines that run beside each other, no
 /// farther apart than a segment may be bent, share their vertices.
 const PARALLEL: f64 = 65536.0;
@@ -25,6 +29,9 @@ const PARALLEL: f64 = 65536.0;
 /// Length, in units in the last place, below which a segment is taken as it is: rounding explains
 /// no gap beside it.
 const SHORTEST: f64 = 4096.0;
+
+/// Fraction of a unit in the last place that no rounding of a segment's coordinates is as small as.
+const GRAIN: f64 = 1.0 / (1 << 20) as f64;
 
 /// Segment with the distance up to which rounding explains a gap beside it, and with the order of
 /// points along it.
@@ -94,6 +101,12 @@ impl<const D: usize> Reach<D> {
         self.is_long && self.offset(piece, x).max(self.offset_from_segment(x)) <= FARTHEST
     }
 
+    /// Returns true if the piece between two points of the bent segment passes a vertex as near as
+    /// roundings of its own points are.
+    pub fn passes(&self, piece: [&[f64; D]; 2], x: &[f64; D]) -> bool {
+        self.is_long && self.offset(piece, x) <= 1.0 && self.offset_from_segment(x) <= OUTERMOST
+    }
+
     /// Returns true if both ends of a line are beside the piece between two points of the bent
     /// segment, and the line is much longer than the gap between them.
     pub fn is_parallel(&self, piece: [&[f64; D]; 2], line: [&[f64; D]; 2]) -> bool {
@@ -139,7 +152,7 @@ impl<const D: usize> Reach<D> {
     /// Returns half the widths of a rectangle about a vertex. If another vertex is in it, doubles
     /// are finer there than the segment's roundings, which then explain nothing.
     pub fn grain(&self) -> [f64; D] {
-        self.units.map(|unit| unit * f64::from_bits((1023 - 20) << 52))
+        self.units.map(|unit| unit * GRAIN)
     }
 
     /// Returns half the widths of a rectangle that contains all points near a point of the segment,
@@ -171,6 +184,13 @@ impl Reach<2> {
         let cross = parts(self, other) && parts(other, self);
         cross.then(|| crossing([self.ends.each_ref(), other.ends.each_ref()])).flatten()
     }
+}
+
+/// Returns true if `x` is on a line but for a millionth of its coordinates' roundings: the vertices
+/// of a chain that goes through it are those of one that does not.
+pub(super) fn is_on_line(x: &[f64; 2], [from, to]: [&[f64; 2]; 2]) -> bool {
+    let units = x.map(|x| unit_in_last_place(x.abs()));
+    offset_from_line(from, to, x, units) <= GRAIN
 }
 
 /// Returns the gap between doubles at `x`, which must not be negative.

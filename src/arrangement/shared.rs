@@ -18,15 +18,17 @@ pub struct SharedVertices {
 }
 
 impl SharedVertices {
-    /// Adds a vertex for a crowded point, unless it is there or is one of the others that
-    /// `is_known` tells.
+    /// Adds a vertex for a crowded point: the one twice as far on, or the crowded point itself where
+    /// the first is there, which is too far on for the lines to share. Adds none if both are there
+    /// or are among the others that `is_known` tells.
     pub fn add(
         &mut self,
         crowded: &Crowded,
         is_known: impl Fn(&[f64; 2]) -> bool,
     ) -> AllocResult<()> {
-        let (x, step) = self.place_of(crowded);
-        if !self.points.contains(&x) && !is_known(&x) {
+        let own = (crowded.x, distance(&crowded.ends[0], &crowded.x));
+        let is_new = |(x, _): &([f64; 2], f64)| !self.points.contains(x) && !is_known(x);
+        if let Some((x, step)) = [self.place_of(crowded), own].into_iter().find(is_new) {
             self.points.try_push(x)?;
             self.steps.try_push(step)?;
         }
@@ -65,9 +67,14 @@ mod tests {
         assert_eq!(add(&mut shared, 1.0, 1.5), [1.0, 3.0]);
         assert_eq!(add(&mut shared, 3.0, 4.0), [1.0, 3.0, 7.0]);
         // There already, an input, and farther than what is asked for.
-        assert_eq!(add(&mut shared, 1.0, 1.25), [1.0, 3.0, 7.0]);
+        assert_eq!(add(&mut shared, 0.0, 3.0), [1.0, 3.0, 7.0]);
         assert_eq!(add(&mut shared, 60.0, 80.0), [1.0, 3.0, 7.0]);
         assert_eq!(add(&mut shared, 3.0, 40.0), [1.0, 3.0, 7.0, 40.0]);
+        // The double is there, and too far on.
+        assert_eq!(add(&mut shared, 1.0, 1.25), [1.0, 3.0, 7.0, 40.0, 1.25]);
+        assert_eq!(add(&mut shared, 1.0, 1.25), [1.0, 3.0, 7.0, 40.0, 1.25]);
+        shared.points.pop();
+        shared.steps.pop();
         // The line is too short for its double.
         assert_eq!(add(&mut shared, 40.0, 42.0), [1.0, 3.0, 7.0, 40.0, 42.0]);
     }

@@ -59,7 +59,7 @@ impl Mesh {
             let lacks_room = self.inputs().dim() == 2
                 && made.as_ref().is_err_and(|error| error.kind() == ErrorKind::Limit);
             if let Some(arrangement) = arrangement.filter(|_| lacks_room) {
-                self.note_crowded(&mut shared, &arrangement)?;
+                shared.add_all(&arrangement.crowded)?;
             }
             if shared.points.len() == known || tries == MOST_TRIES {
                 self.set_triangulation(made?);
@@ -86,16 +86,6 @@ impl Mesh {
                 field.outcome(made)
             }
         }
-    }
-
-    /// Adds vertices for the crowded points of a run that are not known as vertices yet.
-    fn note_crowded(&self, shared: &mut SharedVertices, arrangement: &Arrangement) -> Result<()> {
-        let inputs = (0..self.inputs().distinct()).map(|v| self.inputs().distinct_point(v));
-        let known = || arrangement.crossings.iter().map(|x| &x[..]).chain(inputs.clone());
-        for crowded in &arrangement.crowded {
-            shared.add(crowded, |x| known().any(|other| other == x))?;
-        }
-        Ok(())
     }
 
     /// Returns the options with the extent that [`Extent::Auto`] stands for, and the arrangement

@@ -110,7 +110,6 @@ impl<'a, const D: usize> Bender<'a, D> {
                     || reach.is_beside(piece, x) && (is_shared(x) || runs_along(vertex))
                     || is_shared(x) && reach.passes(piece, x))
         });
-        // A vertex that pieces must share is where one of them would have its own.
         let mut kept = 0;
         for at in 0..found.len() {
             let x = point(found[at]);

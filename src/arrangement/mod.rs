@@ -51,7 +51,7 @@ use bend::Bender;
 use crossings::{Straight, accept};
 use frame::Frame;
 use ranked::RankedVertices;
-use reach::{Position, Reach, is_on_line};
+use reach::{Position, Reach};
 use split::split;
 use straighten::straighten;
 use sweep::{Handling, Swept, sweep};
@@ -67,7 +67,8 @@ pub struct Task<'a> {
     /// Number of the caller's segments; those that follow are the boundary of an extent,
     /// counterclockwise.
     pub own: usize,
-    /// Further vertices, which are treated as crossings of segments; none of them is an input.
+    /// Vertices that pieces passing within a unit in the last place must go through. Those that are
+    /// no inputs are further vertices, which are treated as crossings of segments.
     pub shared: &'a [[f64; 2]],
     pub crossings: Crossings,
 }
@@ -84,7 +85,12 @@ pub struct Task<'a> {
 pub fn arrange(task: &Task<'_>, poll: Poll<'_>) -> Result<Arrangement> {
     let vertices = (0..task.inputs.distinct()).map(|vertex| task.inputs.distinct_point(vertex));
     let mut points = collected(vertices.map(|point| *coordinates::<2>(point, 0)))?;
-    points.try_extend(task.shared)?;
+    let inputs = points.len();
+    for x in task.shared {
+        if !points[..inputs].contains(x) {
+            points.try_push(*x)?;
+        }
+    }
     let ends = |ends: &[u32; 2]| ends.map(|input| task.inputs.vertices()[input as usize]);
     let segments = task.segments.inputs.iter().zip(0u32..);
     let segments = segments.map(|(inputs, segment)| Subsegment {
@@ -145,8 +151,7 @@ fn arrange_within(
         let swept = sweep(&ranked, &pieces, handling, poll)?;
         if swept.found.is_empty() && swept.snapped.is_empty() {
             let Some(mut ordered) = in_order(&ranked, reaches, &swept)? else { return Ok(None) };
-            let stays = |x: &[f64; 2], line: [&[f64; 2]; 2]| is_shared(x) && is_on_line(x, line);
-            if straighten(inputs, &mut points, &mut ordered, stays)? {
+            if straighten(inputs, &mut points, &mut ordered)? {
                 pieces = ordered;
                 continue;
             }

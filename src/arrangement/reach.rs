@@ -30,9 +30,6 @@ const PARALLEL: f64 = 65536.0;
 /// no gap beside it.
 const SHORTEST: f64 = 4096.0;
 
-/// Fraction of a unit in the last place that no rounding of a segment's coordinates is as small as.
-const GRAIN: f64 = 1.0 / (1 << 20) as f64;
-
 /// Segment with the distance up to which rounding explains a gap beside it, and with the order of
 /// points along it.
 #[derive(Clone, Copy)]
@@ -104,7 +101,7 @@ impl<const D: usize> Reach<D> {
     /// Returns true if the piece between two points of the bent segment passes a vertex as near as
     /// roundings of its own points are.
     pub fn passes(&self, piece: [&[f64; D]; 2], x: &[f64; D]) -> bool {
-        self.is_long && self.offset(piece, x) <= 1.0 && self.offset_from_segment(x) <= OUTERMOST
+        self.offset(piece, x) <= 1.0 && self.offset_from_segment(x) <= OUTERMOST
     }
 
     /// Returns true if both ends of a line are beside the piece between two points of the bent
@@ -152,7 +149,7 @@ impl<const D: usize> Reach<D> {
     /// Returns half the widths of a rectangle about a vertex. If another vertex is in it, doubles
     /// are finer there than the segment's roundings, which then explain nothing.
     pub fn grain(&self) -> [f64; D] {
-        self.units.map(|unit| unit * GRAIN)
+        self.units.map(|unit| unit * f64::from_bits((1023 - 20) << 52))
     }
 
     /// Returns half the widths of a rectangle that contains all points near a point of the segment,
@@ -184,13 +181,6 @@ impl Reach<2> {
         let cross = parts(self, other) && parts(other, self);
         cross.then(|| crossing([self.ends.each_ref(), other.ends.each_ref()])).flatten()
     }
-}
-
-/// Returns true if `x` is on a line but for a millionth of its coordinates' roundings: the vertices
-/// of a chain that goes through it are those of one that does not.
-pub(super) fn is_on_line(x: &[f64; 2], [from, to]: [&[f64; 2]; 2]) -> bool {
-    let units = x.map(|x| unit_in_last_place(x.abs()));
-    offset_from_line(from, to, x, units) <= GRAIN
 }
 
 /// Returns the gap between doubles at `x`, which must not be negative.

@@ -5,39 +5,31 @@ use crate::memory::{AllocResult, filled, with_capacity};
 use crate::mesh::{NONE, Subsegment};
 
 /// Removes the vertices with numbers `inputs` and more at which only two pieces of one segment end,
-/// and joins these pieces. A vertex stays for which `stays` is true, which is called with its point
-/// and with the ends of the straight line that is left without it. `pieces` are sorted by segment
-/// and along each. Returns false if no vertex goes.
+/// and joins these pieces. `pieces` are sorted by segment and along each. Returns false if there is
+/// no such vertex.
 pub(super) fn straighten(
     inputs: usize,
     points: &mut Vec<[f64; 2]>,
     pieces: &mut Vec<Subsegment>,
-    stays: impl Fn(&[f64; 2], [&[f64; 2]; 2]) -> bool,
 ) -> AllocResult<bool> {
     let mut degrees = filled(points.len(), 0u32)?;
     pieces.iter().flat_map(|piece| piece.ends).for_each(|end| degrees[end as usize] += 1);
-    let is_straight = |last: &Subsegment, next: &Subsegment| {
+    let joins = |last: &Subsegment, next: &Subsegment| {
         let middle = next.ends[0];
         last.segment == next.segment
             && last.ends[1] == middle
             && middle as usize >= inputs
             && degrees[middle as usize] == 2
     };
-    let point = |vertex: u32| &points[vertex as usize];
     let mut joined: Vec<Subsegment> = with_capacity(pieces.len())?;
     let mut is_removed = filled(points.len(), false)?;
-    for line in pieces.chunk_by(is_straight) {
-        let ends = [line[0].ends[0], line[line.len() - 1].ends[1]].map(point);
-        joined.push(line[0]);
-        for piece in &line[1..] {
-            let middle = piece.ends[0];
-            match joined.last_mut() {
-                Some(last) if !stays(point(middle), ends) => {
-                    is_removed[middle as usize] = true;
-                    last.ends[1] = piece.ends[1];
-                }
-                _ => joined.push(*piece),
+    for piece in &*pieces {
+        match joined.last_mut() {
+            Some(last) if joins(last, piece) => {
+                is_removed[piece.ends[0] as usize] = true;
+                last.ends[1] = piece.ends[1];
             }
+            _ => joined.push(*piece),
         }
     }
     if joined.len() == pieces.len() {
@@ -71,17 +63,11 @@ mod tests {
         let all = [piece(0, 3, 0), piece(3, 4, 0), piece(4, 1, 0), piece(1, 5, 0), piece(4, 2, 1)];
         let mut pieces = all.to_vec();
         pieces.push(piece(2, 5, 1));
-        let all_stay = |x: &[f64; 2], [from, to]: [&[f64; 2]; 2]| {
-            assert_eq!((x[0], from[0], to[0]), (3.0, 0.0, 4.0));
-            true
-        };
-        assert!(!straighten(3, &mut points, &mut pieces, all_stay).unwrap());
-        let none_stays = |_: &[f64; 2], _: [&[f64; 2]; 2]| false;
-        assert!(straighten(3, &mut points, &mut pieces, none_stays).unwrap());
+        assert!(straighten(3, &mut points, &mut pieces).unwrap());
         let expected =
             [piece(0, 3, 0), piece(3, 1, 0), piece(1, 4, 0), piece(3, 2, 1), piece(2, 4, 1)];
         assert_eq!(pieces, expected);
         assert_eq!(points.iter().map(|x| x[0]).collect::<Vec<_>>(), [0.0, 1.0, 2.0, 4.0, 5.0]);
-        assert!(!straighten(3, &mut points, &mut pieces, none_stays).unwrap());
+        assert!(!straighten(3, &mut points, &mut pieces).unwrap());
     }
 }

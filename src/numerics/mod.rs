@@ -51,7 +51,7 @@ pub(crate) use filters::{F64x2, Hyperplane, Real};
 pub use lengths::{distance, norm, shortest_distance};
 pub(crate) use power::scale_by_power;
 pub use random::{SplitMix, mixed};
-pub use segment::{in_diametral_ball, offset_from_line, point_between};
+pub use segment::{in_diametral_ball, offset_from_line, point_at_level, point_between};
 pub use sign::Sign;
 pub use volume::volume;
 

@@ -53,6 +53,20 @@ fn coordinate_between(a: f64, b: f64, fraction: f64) -> f64 {
     crossing([[&[a, 0.0], &[b, 1.0]], level]).map_or(a, |[x, _]| x)
 }
 
+/// Returns the doubles nearest to the point of the line through `a` and `b` whose coordinate along
+/// `axis` is `level`. On that axis `a` and `b` must differ.
+pub fn point_at_level<const D: usize>([a, b]: [&[f64; D]; 2], axis: usize, level: f64) -> [f64; D] {
+    std::array::from_fn(|k| match k == axis {
+        true => level,
+        false if a[k] == b[k] => a[k],
+        false => {
+            let line = [&[a[k], a[axis]], &[b[k], b[axis]]];
+            let level = [&[0.0, level], &[1.0, level]];
+            crossing([line, level]).map_or(a[k], |[x, _]| x)
+        }
+    })
+}
+
 /// Largest relative error of a determinant in floating point that [`offset_from_line`] accepts.
 const ACCEPTED: f64 = 1e-13;
 

@@ -129,10 +129,11 @@ fn lines_through_nearly_one_point_meet_there() {
 
 /// Vertices that lines must share, each farther on than the last, come to where the lines are too far
 /// apart to share the next. The first of these stars needs one between, in the second a line goes on
-/// through vertices that it passes where it returns to its end.
+/// through vertices that it passes where it returns to its end. In the third many lines are crowded
+/// within some units, where one vertex at a time makes room.
 #[test]
 fn lines_share_vertices_up_to_where_they_part() {
-    let stars: [[Point; 16]; 2] = [
+    let stars: [[Point; 16]; 3] = [
         [
             [8.107716614671837, 0.40238155079723903],
             [9.613462996975437, 6.208758987813949],
@@ -168,6 +169,24 @@ fn lines_share_vertices_up_to_where_they_part() {
             [3.1808364002834, 5.887805742802295],
             [-0.06309541266384855, 5.952514238155847],
             [8.445801359068481, 7.346366132687806],
+        ],
+        [
+            [2.0355047094452194, 11.455090430641098],
+            [4.206731467376292, 3.6771521995850422],
+            [3.0154078769504284, 10.594485620275803],
+            [2.977423219507573, 4.198364477586498],
+            [3.079002259564903, 9.77090444620364],
+            [2.847223392771356, 4.575379305514119],
+            [1.7794922098094563, 10.14480271648852],
+            [4.661805671640902, 5.079702933928025],
+            [1.3825651070595488, 8.524743905546062],
+            [5.368225830673857, 7.231677221119146],
+            [5.083148474760987, 4.671674054178567],
+            [2.1714243307186534, 9.32384701885538],
+            [6.056772405474801, 7.9750526125565395],
+            [-0.22177867182501387, 8.026294061225867],
+            [-0.3502544467769404, 7.234409024994348],
+            [6.387836347654639, 8.77417908811545],
         ],
     ];
     let segments = [[0, 1], [2, 3], [4, 5], [6, 7], [8, 9], [10, 11], [12, 13], [14, 15]];

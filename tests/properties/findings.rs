@@ -107,3 +107,65 @@ fn a_corner_of_a_box_beside_inputs() {
     let report = validate_mesh(&mesh, 3).unwrap();
     assert_eq!((report.level, report.violations), (3, 0), "{:?}", report.first);
 }
+
+fn certify_plane(points: &[[f64; 2]], segments: &[[u32; 2]], options: &Options) {
+    let mut mesh = Mesh::new(2, points.len(), points.as_flattened(), 0).unwrap();
+    mesh.set_segments(segments.as_flattened(), None).unwrap();
+    mesh.run(options, None).unwrap();
+    let report = validate_mesh(&mesh, 3).unwrap();
+    assert_eq!((report.level, report.violations), (3, 0), "{:?}", report.first);
+}
+
+/// Parts of a side's length were too coarse for places where one of its coordinates comes to zero,
+/// and the run was refused for lack of room.
+#[test]
+fn sides_with_vertices_where_a_coordinate_is_near_zero() {
+    let points = [
+        [6.436837897639998e-50, -6.552363284584419e197],
+        [3.100734328550215e301, -1.2166986024289021e-207],
+        [-6.858232218242886e133, 1.5674247274776808e305],
+        [4.2691854705103113e-237, 1.3255e-319],
+        [0.0, 0.0],
+    ];
+    certify_plane(&points, &[], &Options { extent: Extent::Hull, ..Options::default() });
+}
+
+/// A segment of 2,000 subnormal units had a vertex of another where its own would have been, and
+/// was refused, since so short a segment goes through nothing beside it.
+#[test]
+fn a_segment_among_subnormals_goes_through_what_it_meets() {
+    let points =
+        [[0.0, 0.0], [6.324e-321, 8.854e-321], [-8.696e-321, -1.219e-320], [5.28e-321, 7.396e-321]];
+    let options = Options { min_angle: 5.0, crossings: Crossings::Split, ..Options::default() };
+    certify_plane(&points, &[[0, 1], [2, 3]], &options);
+}
+
+/// The certificate took a chain for broken that goes back on its second axis for some units, where
+/// it is level on its first.
+#[test]
+fn a_bent_chain_may_go_back_where_it_is_level() {
+    let points = [
+        [-1.7, -1.9],
+        [1.2, -4.6],
+        [1.1999999999999995, -4.6],
+        [1.2000000000000006, -4.599999999999997],
+        [1.200000000000001, -4.599999999999994],
+        [1.2000000000000004, -4.599999999999995],
+        [-1.3701960784313725, -2.2070588235294113],
+        [1.2000000000000008, -4.599999999999997],
+        [0.21999999999999964, -0.6099999999999999],
+        [3.0199999999999996, -12.01],
+        [1.3509803921568628, -5.21470588235294],
+        [-3.5, 10.6],
+    ];
+    let segments = [[0, 1], [0, 3], [4, 5], [6, 7], [8, 9], [10, 11]];
+    let options = Options {
+        min_angle: 33.0,
+        extent: Extent::Hull,
+        crossings: Crossings::Split,
+        output: Output::Hierarchical,
+        seed: 119,
+        ..Options::default()
+    };
+    certify_plane(&points, &segments, &options);
+}

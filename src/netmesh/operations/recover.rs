@@ -61,12 +61,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
         subsegment: u32,
         cavity: &mut Cavity,
     ) -> Result<bool> {
-        let Subsegment { ends: [a, _], line, .. } = *self.state.segments.chains.get(subsegment);
+        let a = self.state.segments.chains.get(subsegment).ends[0];
         if self.state.segments.chains.is_limited(subsegment) {
             return Ok(false);
         }
-        let place = self.state.splitting_place(self.state.segments.chains.get(subsegment));
-        let x = self.state.point_at(line, place);
+        let own = *self.state.segments.chains.get(subsegment);
+        let (place, x) = self.state.splitting_point(&own);
         let near = self.state.delaunay.complex().incident(a);
         if self.state.delaunay.vertex_at(near, &x).is_some() {
             return Ok(false);
@@ -146,8 +146,7 @@ impl<const D: usize> State<D> {
         let own = *self.segments.chains.get(subsegment);
         let Subsegment { ends, line, .. } = own;
         if !may_stay {
-            let place = self.splitting_place(&own);
-            let x = self.point_at(line, place);
+            let (_, x) = self.splitting_point(&own);
             let State { delaunay, segments: Segments { chains, .. }, .. } = self;
             let vertex = delaunay.vertex_at(delaunay.complex().incident(ends[0]), &x);
             let beside = vertex.and_then(|vertex| chains.line_at(vertex));

@@ -6,7 +6,7 @@
 use crate::complex::{VertexId, position};
 use crate::netmesh::state::State;
 use crate::netmesh::state::segments::chain::{Fraction, Line, Subsegment};
-use crate::numerics::{distance, offset_from_line, point_between};
+use crate::numerics::{distance, offset_from_line, point_at_level, point_between};
 
 /// Angles below this, in degrees, are sharp: two lines at 60 degrees or more may be split in their
 /// middles without an end (Ruppert); what rounding adds is far below the rest.
@@ -28,8 +28,30 @@ fn unit_below(x: f64) -> f64 {
 }
 
 impl<const D: usize> State<D> {
+    /// Returns the place on its line at which a subsegment is to be split, and the vertex there; one
+    /// of its ends where doubles have none between.
+    pub(in crate::netmesh) fn splitting_point(
+        &self,
+        subsegment: &Subsegment,
+    ) -> (Fraction, [f64; D]) {
+        let place = self.splitting_place(subsegment);
+        let x = self.point_at(subsegment.line, place);
+        let [a, b] = subsegment.ends.map(|end| self.delaunay.point(end));
+        let is_between = |k: usize| (a[k] < x[k] && x[k] < b[k]) || (b[k] < x[k] && x[k] < a[k]);
+        if (0..D).any(is_between) {
+            return (place, x);
+        }
+        // Parts of a line are too coarse where a coordinate comes to zero on the way: doubles are
+        // finer there than at the line's ends.
+        let units = |k: usize| (a[k] - b[k]).abs() / unit_below(a[k].abs().max(b[k].abs()));
+        let axis = (1..D).fold(0, |axis, k| if units(k) > units(axis) { k } else { axis });
+        let line = self.segments.chains.lines[subsegment.line as usize];
+        let line = line.ends.map(|end| self.delaunay.point(end));
+        (place, point_at_level(line, axis, 0.5 * a[axis] + 0.5 * b[axis]))
+    }
+
     /// Returns the place on its line at which a subsegment is to be split.
-    pub(in crate::netmesh) fn splitting_place(&self, subsegment: &Subsegment) -> Fraction {
+    fn splitting_place(&self, subsegment: &Subsegment) -> Fraction {
         let [first, second] = subsegment.fractions;
         match self.shell_of(subsegment) {
             Some((end, ratio)) => {
@@ -55,7 +77,7 @@ impl<const D: usize> State<D> {
     }
 
     /// Returns the vertex at `place` of a line.
-    pub(in crate::netmesh) fn point_at(&self, line: u32, place: Fraction) -> [f64; D] {
+    fn point_at(&self, line: u32, place: Fraction) -> [f64; D] {
         let Line { ends, .. } = self.segments.chains.lines[line as usize];
         let [from, to] = match place.end {
             0 => ends,

@@ -10,7 +10,6 @@ use crate::memory::{AllocResult, Lists, TryGrow, filled};
 use crate::mesh::{Inputs, NONE, Segments};
 use crate::quality::view::View;
 use crate::validate::report::{Findings, Violation, ViolationKind};
-use std::cmp::Ordering;
 
 /// A segment goes through inputs and crossings that are nearer to it than rounding explains, and
 /// through those near it then. None of these is farther from it than so many units in the last
@@ -121,8 +120,10 @@ impl<'a, const D: usize> Chains<'a, D> {
         Ok(if self.cross_gap(way, last, way.ends[1])? { Ok(()) } else { Err(last) })
     }
 
-    /// Returns true if `b` comes after `a` along the segment: on the axis on which its ends are
-    /// most units in the last place apart, or on the next one if they are level there.
+    /// Returns true if `b` comes after `a` along the segment on the axis on which its ends are most
+    /// units in the last place apart. Level vertices may follow each other both ways: where the
+    /// segment is bent its pieces of some units have ways of their own, and edges of a mesh do not
+    /// lie on each other.
     fn advances(&self, way: Way, a: u32, b: u32) -> bool {
         let [from, to] = way.ends.map(|end| self.view.point(end));
         let [a, b] = [a, b].map(|vertex| self.view.point(vertex));
@@ -130,14 +131,9 @@ impl<'a, const D: usize> Chains<'a, D> {
             let unit = unit_in_last_place(from[k].abs().max(to[k].abs()));
             (to[k] - from[k]).abs().min(f64::MAX) / unit
         };
-        let mut axes: [usize; D] = std::array::from_fn(|k| k);
-        axes.sort_by(|&j, &k| steps(k).total_cmp(&steps(j)));
-        let order = |k: usize| match to[k] < from[k] {
-            true => b[k].partial_cmp(&a[k]),
-            false => a[k].partial_cmp(&b[k]),
-        };
-        axes.into_iter().find_map(|k| order(k).filter(|order| order.is_ne()))
-            == Some(Ordering::Less)
+        let axis = (1..D).fold(0, |axis, k| if steps(k) > steps(axis) { k } else { axis });
+        let advances = if to[axis] < from[axis] { b[axis] < a[axis] } else { a[axis] < b[axis] };
+        advances || a[axis] == b[axis] && a != b
     }
 
     /// Returns true if an edge leads along a segment as its chain may: both ends are near it, and

@@ -127,7 +127,8 @@ fn sides_with_vertices_where_a_coordinate_is_near_zero() {
         [4.2691854705103113e-237, 1.3255e-319],
         [0.0, 0.0],
     ];
-    certify_plane(&points, &[], &Options { extent: Extent::Hull, ..Options::default() });
+    let (extent, output) = (Extent::Hull, Output::Hierarchical);
+    certify_plane(&points, &[], &Options { extent, output, min_angle: 5.0, ..Options::default() });
 }
 
 /// A segment of 2,000 subnormal units had a vertex of another where its own would have been, and

@@ -96,3 +96,26 @@ fn keep_apart<'a>(
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn crossings_at_large_angles_are_accepted_first() {
+        // Lines 1 and 2 cross line 0 within a unit of each other, the second at a small angle.
+        let lines =
+            [[[0.0, 0.0], [10.0, 0.0]], [[5.0, -5.0], [5.0, 5.0]], [[0.0, -1e-3], [10.0, 1e-3]]];
+        let reaches = lines.each_ref().map(|[from, to]| Reach::of([from, to]));
+        let line = |number: u32| {
+            let number = number as usize;
+            Straight { ends: lines[number].each_ref(), reach: &reaches[number] }
+        };
+        let found =
+            |other: u32, x: f64| Found { lines: [0, other], falls: [false; 2], point: [x, 0.0] };
+        let (steep, shallow) = (found(1, 5.0), found(2, 5f64.next_down()));
+        assert_eq!(accept(&[shallow, steep], 3, line).unwrap(), [false, true]);
+        assert_eq!(accept(&[steep, shallow], 3, line).unwrap(), [true, false]);
+        assert_eq!(accept(&[shallow], 3, line).unwrap(), [true], "alone it is a vertex");
+    }
+}

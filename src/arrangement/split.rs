@@ -122,4 +122,18 @@ mod tests {
         assert_eq!(pieces(&[(0, [4.0, 4.5])]).0, [[0, 1], [2, 3]]);
         assert_eq!(pieces(&[(0, [4.0, 4.0]), (1, [0.0, 1.0])]).0, [[0, 1], [2, 3]]);
     }
+
+    #[test]
+    fn a_line_that_falls_is_split_from_above_where_it_is_level() {
+        let mut points = vec![[0.0, 4.0], [1e-300, 0.0]];
+        let ranked = RankedVertices::new(&points).unwrap();
+        let parts = vec![LinePart { line: 0, ends: [0, 1], segment: 0, balance: 1 }];
+        let found =
+            [1.0, 3.0].map(|y| Found { lines: [0, 1], falls: [true, false], point: [0.0, y] });
+        let swept = Swept { parts, found: found.to_vec(), snapped: Vec::new() };
+        let pieces = split(&ranked, swept, &[true; 2], &mut points).unwrap();
+        let ends: Vec<_> = pieces.iter().map(|piece| piece.ends).collect();
+        assert_eq!(ends, [[0, 3], [3, 2], [2, 1]]);
+        assert_eq!(points[2..], [[0.0, 1.0], [0.0, 3.0]]);
+    }
 }

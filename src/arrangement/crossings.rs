@@ -112,7 +112,7 @@ mod tests {
             Straight { ends: lines[number].each_ref(), reach: &reaches[number] }
         };
         let found =
-            |other: u32, x: f64| Found { lines: [0, other], falls: [false; 2], point: [x, 0.0] };
+            |other: u32, x: f64| Found { lines: [0, other], falls: [false; 2], point: [x, 1.0] };
         let (steep, shallow) = (found(1, 5.0), found(2, 5f64.next_down()));
         assert_eq!(accept(&[shallow, steep], 3, line).unwrap(), [false, true]);
         assert_eq!(accept(&[steep, shallow], 3, line).unwrap(), [true, false]);

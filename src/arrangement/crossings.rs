@@ -105,7 +105,7 @@ mod tests {
     fn crossings_at_large_angles_are_accepted_first() {
         // Lines 1 and 2 cross line 0 within a unit of each other, the second at a small angle.
         let lines =
-            [[[0.0, 0.0], [10.0, 0.0]], [[5.0, -5.0], [5.0, 5.0]], [[0.0, -1e-3], [10.0, 1e-3]]];
+            [[[0.0, 1.0], [10.0, 1.0]], [[5.0, -4.0], [5.0, 6.0]], [[0.0, 0.9], [10.0, 1.1]]];
         let reaches = lines.each_ref().map(|[from, to]| Reach::of([from, to]));
         let line = |number: u32| {
             let number = number as usize;

@@ -163,7 +163,11 @@ impl Reach<2> {
     /// Returns the sine of the angle between two lines, measured in this segment's units.
     pub fn sine(&self, first: [&[f64; 2]; 2], second: [&[f64; 2]; 2]) -> f64 {
         let [u, v] = [first, second].map(|[a, b]| {
-            let way = [0, 1].map(|k| (0.5 * b[k] - 0.5 * a[k]) / self.units[k]);
+            let mut way = [0, 1].map(|k| (0.5 * b[k] - 0.5 * a[k]) / self.units[k]);
+            // This segment is on an axis, where units are as small as doubles get.
+            if way.iter().any(|step| step.is_infinite()) {
+                way = way.map(|step| if step.is_infinite() { step.signum() } else { 0.0 });
+            }
             let length = way[0].hypot(way[1]);
             way.map(|step| step / length)
         });
@@ -188,5 +192,20 @@ pub(super) fn unit_in_last_place(x: f64) -> f64 {
     match x.next_up() {
         above if above.is_finite() => above - x,
         _ => x - x.next_down(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_that_cross_an_axis_have_an_angle_with_it() {
+        let (from, to) = ([0.0, 0.0], [10.0, 0.0]);
+        let reach = Reach::of([&from, &to]);
+        let across = [&[5.0, -5.0], &[5.0, 5.0]];
+        assert_eq!(reach.sine([&from, &to], across), 1.0);
+        assert_eq!(reach.sine(across, [&[0.0, -1e-3], &[10.0, 1e-3]]), 0.0);
+        assert_eq!(reach.sine([&from, &to], [&to, &from]), 0.0);
     }
 }

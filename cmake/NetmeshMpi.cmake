@@ -13,30 +13,21 @@ if(NOT MPI_C_FOUND)
   return()
 endif()
 
-set(netmesh_mpi_cargo_dir "${NETMESH_CARGO_TARGET_DIR}/mpi")
-set(netmesh_mpi_dir "${netmesh_mpi_cargo_dir}/${NETMESH_CARGO_TARGET}/${netmesh_profile_dir}")
-cmake_path(NORMAL_PATH netmesh_mpi_dir)
-set(netmesh_mpi_archive "${netmesh_mpi_dir}/libnetmesh_mpi.a")
+set(netmesh_mpi_archive "${netmesh_cargo_dir}/libnetmesh_mpi.a")
 set(netmesh_mpi_gather "")
 if(netmesh_soname)
   # As the core's archive, it leaves the names of Rust's runtime to others.
   set(netmesh_mpi_archive "${netmesh_library_dir}/libnetmesh_mpi.a")
-  set(netmesh_mpi_gather COMMAND "${CMAKE_COMMAND}" -DNAME=netmesh_mpi "-DFROM=${netmesh_mpi_dir}"
+  set(netmesh_mpi_gather COMMAND "${CMAKE_COMMAND}" -DNAME=netmesh_mpi "-DFROM=${netmesh_cargo_dir}"
       "-DHEADERS=${netmesh_include_dir}/netmesh.h$<SEMICOLON>${PROJECT_SOURCE_DIR}/mpi/include/netmesh_mpi.h"
       ${netmesh_gather_tools} -P "${CMAKE_CURRENT_LIST_DIR}/NetmeshGather.cmake")
 endif()
-set(netmesh_mpi_program "${netmesh_mpi_dir}/netmesh-mpi")
+set(netmesh_mpi_program "${netmesh_cargo_dir}/netmesh-mpi")
 set(netmesh_mpi_include_dir "${PROJECT_SOURCE_DIR}/mpi/include")
-set(netmesh_mpi_target_option "")
-if(NETMESH_CARGO_TARGET)
-  set(netmesh_mpi_target_option --target "${NETMESH_CARGO_TARGET}")
-endif()
 
-# A package outside the workspace: what has no MPI never sees it.
+# With the library as it is for the other targets: it compiles once.
 set(netmesh_mpi_cargo_build
-  "${CMAKE_COMMAND}" -E env ${NETMESH_CARGO_ENVIRONMENT} "MPICC=${MPI_C_COMPILER}" "${NETMESH_CARGO}" build
-  --manifest-path "${PROJECT_SOURCE_DIR}/mpi/Cargo.toml" --target-dir "${netmesh_mpi_cargo_dir}"
-  --profile "${NETMESH_CARGO_PROFILE}" ${netmesh_mpi_target_option})
+  "${CMAKE_COMMAND}" -E env "MPICC=${MPI_C_COMPILER}" ${netmesh_cargo_build} --package netmesh-mpi)
 add_custom_target(netmesh_mpi ALL
   COMMAND ${netmesh_mpi_cargo_build} --lib --bins
   ${netmesh_mpi_gather}
@@ -45,6 +36,8 @@ add_custom_target(netmesh_mpi ALL
   COMMENT "Building the library on MPI with cargo"
   USES_TERMINAL
   VERBATIM)
+# One cargo at a time: the other would wait for its lock.
+add_dependencies(netmesh_mpi netmesh_cargo)
 
 add_library(netmesh::mpi STATIC IMPORTED GLOBAL)
 set_target_properties(netmesh::mpi PROPERTIES

@@ -283,6 +283,94 @@ typedef int32_t nm_extent;
 #endif // __cplusplus
 
 /**
+ * File formats; docs/formats.md tells what each contains. Point formats (XYZ, CSV, NPY) can be
+ * written before a run; the others are refused then (NM_STATE in C), and so is a format that cannot
+ * hold the mesh's dimension (NM_INVALID_ARGUMENT). VTU and the two JSON formats cannot be read. Of
+ * the others the points are read.
+ */
+enum nm_format
+#ifdef __cplusplus
+  : int32_t
+#endif // __cplusplus
+ {
+    /**
+     * Format that the extension of the path names: .vtu, .node and .ele, .msh, .mesh, .off, .ply,
+     * .xyz (.txt, .xy, .pts), .csv, .npy, .poly, .smesh, .geojson, .wkt, .voronoi.json,
+     * .domains.json.
+     */
+    NM_FORMAT_AUTO = 0,
+    /**
+     * VTK XML unstructured grid (.vtu), for ParaView and VTK, with arrays per point and per cell.
+     * Dimensions 2 and 3.
+     */
+    NM_FORMAT_VTU = 1,
+    /**
+     * TetGen and Triangle: points (.node) and simplices (.ele).
+     */
+    NM_FORMAT_TETGEN_NODE = 2,
+    /**
+     * Gmsh 4.1 as text (.msh); versions 4.1 and 2 are read, as text. Dimensions 2 and 3.
+     */
+    NM_FORMAT_GMSH = 3,
+    /**
+     * Medit as text (.mesh). Dimensions 2 and 3.
+     */
+    NM_FORMAT_MEDIT = 4,
+    /**
+     * Object file format (.off), nOFF from dimension 3 on.
+     */
+    NM_FORMAT_OFF = 5,
+    /**
+     * Polygon file format (.ply): the triangles of a planar mesh, the boundary of one in dimension
+     * 3.
+     */
+    NM_FORMAT_PLY = 6,
+    /**
+     * Points as text, one per line, separated by spaces (.xyz).
+     */
+    NM_FORMAT_XYZ = 7,
+    /**
+     * Points as text, one per line, separated by commas (.csv).
+     */
+    NM_FORMAT_CSV = 8,
+    /**
+     * Points as a NumPy array of shape points x dim (.npy).
+     */
+    NM_FORMAT_NPY = 9,
+    /**
+     * The Voronoi diagram of the vertices as JSON (.voronoi.json).
+     */
+    NM_FORMAT_VORONOI_JSON = 10,
+    /**
+     * The hierarchy of domains with their cages as JSON (.domains.json).
+     */
+    NM_FORMAT_DOMAINS_JSON = 11,
+    /**
+     * Triangle's points, segments, holes and regions of the plane, or TetGen's points, facets,
+     * holes and regions of space, read only (.poly); the points may be in the .node file beside.
+     */
+    NM_FORMAT_POLY = 12,
+    /**
+     * GeoJSON (RFC 7946): points, lines and polygons of the plane, read only (.geojson). Lines and
+     * rings are segments; their marker is the number of the feature, from 1. A third coordinate
+     * must be 0.
+     */
+    NM_FORMAT_GEOJSON = 13,
+    /**
+     * Well-known text: geometries of the plane, one after another, read only (.wkt). As of
+     * NM_FORMAT_GEOJSON; the marker is the number of the geometry, from 1.
+     */
+    NM_FORMAT_WKT = 14,
+    /**
+     * TetGen's points, facets of one polygon each, holes and regions, read only (.smesh).
+     */
+    NM_FORMAT_SMESH = 15,
+};
+#ifndef __cplusplus
+typedef int32_t nm_format;
+#endif // __cplusplus
+
+/**
  * Promise that gives way where min_dihedral and quality_bound cannot both be kept.
  */
 enum nm_gives_way
@@ -862,93 +950,6 @@ typedef int32_t nm_filtration;
 #endif // __cplusplus
 
 /**
- * File formats; docs/formats.md tells what each contains. Point formats (XYZ, CSV, NPY) can be
- * written before a run, the others answer NM_STATE. A format that cannot hold the mesh's dimension
- * answers NM_INVALID_ARGUMENT. VTU and the two JSON formats cannot be read. Of the others the
- * points are read.
- */
-enum nm_format
-#ifdef __cplusplus
-  : int32_t
-#endif // __cplusplus
- {
-    /**
-     * Format that the extension of the path names: .vtu, .node and .ele, .msh, .mesh, .off, .ply, .xyz (.txt,
-     * .xy, .pts), .csv, .npy, .poly, .smesh, .geojson, .wkt, .voronoi.json, .domains.json.
-     */
-    NM_FORMAT_AUTO = 0,
-    /**
-     * VTK XML unstructured grid (.vtu), for ParaView and VTK, with arrays per point and per cell.
-     * Dimensions 2 and 3.
-     */
-    NM_FORMAT_VTU = 1,
-    /**
-     * TetGen and Triangle: points (.node) and simplices (.ele).
-     */
-    NM_FORMAT_TETGEN_NODE = 2,
-    /**
-     * Gmsh 4.1 as text (.msh); versions 4.1 and 2 are read, as text. Dimensions 2 and 3.
-     */
-    NM_FORMAT_GMSH = 3,
-    /**
-     * Medit as text (.mesh). Dimensions 2 and 3.
-     */
-    NM_FORMAT_MEDIT = 4,
-    /**
-     * Object file format (.off), nOFF from dimension 3 on.
-     */
-    NM_FORMAT_OFF = 5,
-    /**
-     * Polygon file format (.ply): the triangles of a planar mesh, the boundary of one in dimension
-     * 3.
-     */
-    NM_FORMAT_PLY = 6,
-    /**
-     * Points as text, one per line, separated by spaces (.xyz).
-     */
-    NM_FORMAT_XYZ = 7,
-    /**
-     * Points as text, one per line, separated by commas (.csv).
-     */
-    NM_FORMAT_CSV = 8,
-    /**
-     * Points as a NumPy array of shape points x dim (.npy).
-     */
-    NM_FORMAT_NPY = 9,
-    /**
-     * The Voronoi diagram of the vertices as JSON (.voronoi.json).
-     */
-    NM_FORMAT_VORONOI_JSON = 10,
-    /**
-     * The hierarchy of domains with their cages as JSON (.domains.json).
-     */
-    NM_FORMAT_DOMAINS_JSON = 11,
-    /**
-     * Triangle's points, segments, holes and regions of the plane, or TetGen's points, facets,
-     * holes and regions of space, read only (.poly); the points may be in the .node file beside.
-     */
-    NM_FORMAT_POLY = 12,
-    /**
-     * GeoJSON (RFC 7946): points, lines and polygons of the plane, read only (.geojson). Lines and
-     * rings are segments; their marker is the number of the feature, from 1. A third coordinate
-     * must be 0.
-     */
-    NM_FORMAT_GEOJSON = 13,
-    /**
-     * Well-known text: geometries of the plane, one after another, read only (.wkt). As of
-     * NM_FORMAT_GEOJSON; the marker is the number of the geometry, from 1.
-     */
-    NM_FORMAT_WKT = 14,
-    /**
-     * TetGen's points, facets of one polygon each, holes and regions, read only (.smesh).
-     */
-    NM_FORMAT_SMESH = 15,
-};
-#ifndef __cplusplus
-typedef int32_t nm_format;
-#endif // __cplusplus
-
-/**
  * Method by which nm_mesh_interpolate goes on between vertices, and its answer for points outside
  * the hull. All methods reproduce linear functions and are continuous.
  */
@@ -1050,9 +1051,9 @@ typedef int32_t nm_placement;
 #endif // __cplusplus
 
 /**
- * Status that every fallible function answers. Values are fixed; later versions only append. Whatever is
- * not NM_OK also sets the calling thread's message (nm_last_error), and leaves the mesh and all
- * buffers as they were unless the function's description says otherwise.
+ * Status that every fallible function answers. Values are fixed; later versions only append.
+ * Whatever is not NM_OK also sets the calling thread's message (nm_last_error), and leaves the
+ * mesh and all buffers as they were unless the function's description says otherwise.
  */
 enum nm_status
 #ifdef __cplusplus
@@ -1490,8 +1491,8 @@ typedef struct nm_domain {
 } nm_domain;
 
 /**
- * Selection of simplices of a mesh: those that fulfil all conditions. Begin with NM_SELECTION_INIT, which
- * selects all.
+ * Selection of simplices of a mesh: those that fulfil all conditions. Begin with
+ * NM_SELECTION_INIT, which selects all.
  */
 typedef struct nm_selection {
     /**
@@ -1522,8 +1523,8 @@ typedef struct nm_alpha_shape {
      */
     uint32_t struct_size;
     /**
-     * Number of known elements of betti: 2 in 2D, 3 in 3D, 0 in other dimensions, whose homology takes a
-     * program that computes persistence (nm_export_filtration).
+     * Number of known elements of betti: 2 in 2D, 3 in 3D, 0 in other dimensions, whose homology
+     * takes a program that computes persistence (nm_export_filtration).
      */
     uint32_t betti_count;
     /**
@@ -1686,8 +1687,8 @@ typedef struct nm_quality {
      */
     uint64_t below_min_dihedral;
     /**
-     * Tetrahedra with a smaller dihedral angle and vertices of several domains, which fill the gaps
-     * beside cages: min_dihedral says nothing of them.
+     * Tetrahedra with a smaller dihedral angle and vertices of several domains, which fill the
+     * gaps beside cages: min_dihedral says nothing of them.
      */
     uint64_t below_min_dihedral_between_domains;
     /**
@@ -2937,10 +2938,11 @@ nm_status nm_export_alpha_shape(const struct nm_mesh *mesh,
  * name: 1 to 64 ASCII letters, digits, '_', '-' and '.'; not one that files have for something
  * else: x, y, z, x0, x1 and so on, points, kind, domain, input, precision_limited, aspect,
  * cell_domain, radius_edge, below_min_dihedral, beyond_bound. components: numbers an input; 0
- * removes the values of that name, and values may be NULL then. values: inputs x components numbers, duplicates included, which are
- * copied; of equal inputs the first counts. In formats whose columns are single numbers, name_0,
- * name_1 and so on are the components. Gmsh has vectors of two and three components as vectors. A
- * .node file has no names: its attributes are in the order in which their names were set first.
+ * removes the values of that name, and values may be NULL then. values: inputs x components
+ * numbers, duplicates included, which are copied; of equal inputs the first counts. In formats
+ * whose columns are single numbers, name_0, name_1 and so on are the components. Gmsh has vectors
+ * of two and three components as vectors. A .node file has no names: its attributes are in the
+ * order in which their names were set first.
  *
  * Errors: NM_NULL_ARGUMENT (mesh, name, values), NM_INVALID_ARGUMENT (name, values not aligned),
  * NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh, or it is poisoned).
@@ -3332,7 +3334,8 @@ nm_status nm_export_write(const struct nm_mesh *mesh,
 
 /**
  * Writes a selection to a file as nm_export does: its simplices and their vertices, numbered anew,
- * and the numbers of domains as they are. NM_FORMAT_DOMAINS_JSON takes no selection (NM_INVALID_ARGUMENT).
+ * and the numbers of domains as they are. NM_FORMAT_DOMAINS_JSON takes no selection
+ * (NM_INVALID_ARGUMENT).
  *
  * selection: NULL for all.
  *

@@ -38,16 +38,16 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <exception>
-#include <functional>
-#include <limits>
 #include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "netmesh.h"
+#include "netmesh/callbacks.hpp"
 #include "netmesh/fetch.hpp"
+#include "netmesh/getters.hpp"
+#include "netmesh/options.hpp"
 #include "netmesh/result.hpp"
 #include "netmesh/table.hpp"
 
@@ -56,95 +56,14 @@ namespace netmesh {
 // Returns the version of the library that is linked, "major.minor.patch".
 inline std::string version() { return nm_version(); }
 
-// Sees a run's progress on the thread that called run(), about every 30 ms and where a round or a
-// stage ends; false cancels the run, which then fails with NM_CANCELLED.
-using progress_function = std::function<bool(const nm_progress &)>;
-
-// The size that is asked for at a point: x has dim doubles. Called on the thread that called run().
-using size_function = std::function<double(const double *x)>;
-
-// Receives an export piece by piece; false stops it, and it fails with NM_IO.
-using write_function = std::function<bool(const char *data, std::size_t size)>;
-
-// Options of a run: the fields of nm_options in its groups, 0 the default for the dimension.
-struct options {
-    // Quality.
-    nm_criterion criterion = NM_CRITERION_VORONOI_ASPECT;
-    double quality_bound = 0;
-    double min_angle = 0;  // 2D only, in place of criterion and quality_bound
-    double min_dihedral = 0;
-    nm_gives_way gives_way = NM_GIVES_WAY_ANGLE;  // to min_dihedral, or to quality_bound
-    // Domain.
-    nm_extent extent = NM_EXTENT_AUTO;
-    nm_interior interior = NM_INTERIOR_AUTO;  // with NM_EXTENT_BOUNDARY and NM_EXTENT_AUTO
-    nm_crossings crossings = NM_CROSSINGS_REFUSE;
-    double coplanar = 0;  // 3D only
-    // Sizes.
-    double max_edge = 0;
-    double distance_ratio = 0;
-    size_function size = {};  // empty: none
-    // Algorithm.
-    nm_output output = NM_OUTPUT_AUTO;
-    nm_algorithm algorithm = NM_ALGORITHM_NETMESH;
-    // Run.
-    std::uint32_t threads = 1;  // 0: all cores
-    bool instruments = false;
-    std::uint64_t seed = 0;
-    std::uint64_t max_vertices = 0;
-    progress_function progress = {};  // empty: none
-    // Constants of the paper.
-    nm_ordering ordering = NM_ORDERING_SAMPLED_NET;
-    double epsilon = 0;
-    double delta = 0;
-    double gamma = 0;
-    double yield_radius = 0;
-    double encroachment = 0;
-    double cage_scale = 0;
-    double root_scale = 0;
-};
-
-// Selection of simplices: those that fulfil all conditions. The fields are those of nm_selection.
-struct selection {
-    nm_extent extent = NM_EXTENT_ALL;
-    bool across = false;
-    std::uint32_t domain = NM_NONE;
-};
-
-// Answer of nearest(), with an element for each of the points.
-struct nearest_vertices {
-    std::vector<std::uint32_t> vertices;
-    std::vector<double> distances;
-};
-
-// Answer of nearest_input(), with an element for each of the points: numbers of the caller's
-// points.
-struct nearest_inputs {
-    std::vector<std::uint32_t> inputs;
-    std::vector<double> distances;
-};
-
-// Numbers of values of a measure below the first edge, in each bin and above the last edge, and the
-// least value and the largest.
-struct histogram {
-    std::vector<std::uint64_t> counts;
-    double least = 0;
-    double largest = 0;
-};
-
-// Facets, with dim vertices each, and the simplices that have them.
-struct facet_tables {
-    table<std::uint32_t> vertices;
-    table<std::uint32_t> simplices;
-};
-
 // Points, and after run() their mesh. A mesh moves and does not copy; with a moved-from mesh
 // everything but assignment and destruction fails with NM_NULL_ARGUMENT.
-class mesh {
+class mesh : detail::getters {
 public:
     // Takes over a handle of the C interface, and frees it at the end.
-    explicit mesh(nm_mesh *handle) noexcept : handle_(handle) {}
+    explicit mesh(nm_mesh *handle) noexcept : getters(handle) {}
 
-    mesh(mesh &&other) noexcept : handle_(other.release()) {}
+    mesh(mesh &&other) noexcept : getters(other.release()) {}
 
     mesh &operator=(mesh &&other) noexcept {
         nm_mesh *taken = other.release();
@@ -206,16 +125,16 @@ public:
 
     // Meshes the points. A second run replaces the first one's result.
     result<void> try_run(const options &wanted = {}) {
-        progress_call call{wanted.progress, nullptr};
+        detail::progress_call call{wanted.progress, nullptr};
         nm_options values = NM_OPTIONS_INIT;
-        copy(wanted, values);
-        values.progress = wanted.progress ? &progress_call::invoke : nullptr;
+        detail::copy(wanted, values);
+        values.progress = wanted.progress ? &detail::progress_call::invoke : nullptr;
         values.user_data = &call;
-        size_call asked{wanted.size, nullptr};
-        values.size = wanted.size ? &size_call::invoke : nullptr;
+        detail::size_call asked{wanted.size, nullptr};
+        values.size = wanted.size ? &detail::size_call::invoke : nullptr;
         values.size_user_data = &asked;
         nm_status status = nm_run(handle_, &values);
-        return finished(status, call.thrown ? call.thrown : asked.thrown);
+        return detail::finished(status, call.thrown ? call.thrown : asked.thrown);
     }
 
     // Returns the options that the last run had, with every default filled in, NM_OUTPUT_AUTO and
@@ -226,7 +145,7 @@ public:
             return failure{found.status(), found.message()};
         }
         options values;
-        copy(*found, values);
+        detail::copy(*found, values);
         return values;
     }
 
@@ -694,16 +613,16 @@ public:
     // Writes a file of a selection; the path is UTF-8.
     result<void> try_save(const std::string &path_utf8, const selection &wanted,
                           nm_format format = NM_FORMAT_AUTO) const {
-        nm_selection which = raw(wanted);
+        nm_selection which = detail::raw(wanted);
         return detail::outcome(nm_export_selected(handle_, &which, path_utf8.c_str(), format));
     }
 
     // Writes to a function, piece by piece.
     result<void> try_write(nm_format format, const write_function &sink) const {
-        write_call call{sink, nullptr};
-        nm_write_fn invoke = sink ? &write_call::invoke : nullptr;
+        detail::write_call call{sink, nullptr};
+        nm_write_fn invoke = sink ? &detail::write_call::invoke : nullptr;
         nm_status status = nm_export_write(handle_, format, invoke, &call);
-        return finished(status, call.thrown);
+        return detail::finished(status, call.thrown);
     }
 
     // Writes to a stream, which must be binary; NM_IO where the stream fails.
@@ -886,245 +805,9 @@ public:
 #endif
 
 private:
-    struct progress_call {
-        const progress_function &function;
-        std::exception_ptr thrown;
-
-        static std::int32_t invoke(const nm_progress *progress, void *user_data) noexcept {
-            auto &call = *static_cast<progress_call *>(user_data);
-            return answered(call.thrown, [&] { return call.function(*progress); });
-        }
-    };
-
-    // An exception ends the run: no size is NaN.
-    struct size_call {
-        const size_function &function;
-        std::exception_ptr thrown;
-
-        static double invoke(const double *x, void *user_data) noexcept {
-            auto &call = *static_cast<size_call *>(user_data);
-            return detail::guarded([&]() -> double { return call.function(x); },
-                                   [&]() -> double {
-                                       call.thrown = std::current_exception();
-                                       return std::numeric_limits<double>::quiet_NaN();
-                                   });
-        }
-    };
-
-    struct write_call {
-        const write_function &sink;
-        std::exception_ptr thrown;
-
-        static std::int32_t invoke(const void *data, std::size_t size, void *user_data) noexcept {
-            auto &call = *static_cast<write_call *>(user_data);
-            auto bytes = static_cast<const char *>(data);
-            return answered(call.thrown, [&] { return call.sink(bytes, size); });
-        }
-    };
-
-    // Calls a callback and returns its answer to C. An exception must not leave it, and waits in
-    // thrown.
-    template <typename Body>
-    static std::int32_t answered(std::exception_ptr &thrown, Body body) noexcept {
-        return detail::guarded([&body]() -> std::int32_t { return body() ? 0 : 1; },
-                               [&thrown]() -> std::int32_t {
-                                   thrown = std::current_exception();
-                                   return 1;
-                               });
-    }
-
-    // Ends a call with a callback: an exception of the callback's is thrown first.
-    static result<void> finished(nm_status status, const std::exception_ptr &thrown) {
-        if (thrown) {
-            std::rethrow_exception(thrown);
-        }
-        return detail::outcome(status);
-    }
-
-    // Copies options to nm_options or the other way, all but the functions.
-    template <typename From, typename To>
-    static void copy(const From &from, To &to) noexcept {
-        to.criterion = from.criterion;
-        to.quality_bound = from.quality_bound;
-        to.min_angle = from.min_angle;
-        to.min_dihedral = from.min_dihedral;
-        to.gives_way = from.gives_way;
-        to.extent = from.extent;
-        to.interior = from.interior;
-        to.crossings = from.crossings;
-        to.coplanar = from.coplanar;
-        to.max_edge = from.max_edge;
-        to.distance_ratio = from.distance_ratio;
-        to.output = from.output;
-        to.algorithm = from.algorithm;
-        to.threads = from.threads;
-        to.instruments = static_cast<decltype(to.instruments)>(from.instruments ? 1 : 0);
-        to.seed = from.seed;
-        to.max_vertices = from.max_vertices;
-        to.ordering = from.ordering;
-        to.epsilon = from.epsilon;
-        to.delta = from.delta;
-        to.gamma = from.gamma;
-        to.yield_radius = from.yield_radius;
-        to.encroachment = from.encroachment;
-        to.cage_scale = from.cage_scale;
-        to.root_scale = from.root_scale;
-    }
-
     static result<mesh> made(nm_status status, nm_mesh *handle) noexcept {
         return status == NM_OK ? result<mesh>(mesh(handle)) : detail::failed(status);
     }
-
-    template <typename Struct>
-    result<Struct> filled(nm_status (*fill)(const nm_mesh *, Struct *)) const noexcept {
-        Struct value = detail::sized<Struct>();
-        nm_status status = fill(handle_, &value);
-        return status == NM_OK ? result<Struct>(value) : detail::failed(status);
-    }
-
-    template <typename Element>
-    using getter = nm_status (*)(const nm_mesh *, Element *, std::uint64_t, std::uint64_t *);
-
-    template <typename Element>
-    using selected_getter = nm_status (*)(const nm_mesh *, const nm_selection *, Element *,
-                                          std::uint64_t, std::uint64_t *);
-
-    template <typename Element>
-    using face_getter = nm_status (*)(const nm_mesh *, std::uint32_t, Element *, std::uint64_t,
-                                      std::uint64_t *);
-
-    template <typename Element>
-    result<std::vector<Element>> array(getter<Element> fetch) const {
-        return detail::fetched<Element>([this, fetch](Element *buf, std::uint64_t capacity,
-                                              std::uint64_t *needed) {
-            return fetch(handle_, buf, capacity, needed);
-        });
-    }
-
-    template <typename Element>
-    result<std::vector<Element>> array(selected_getter<Element> fetch,
-                                       const selection &wanted) const {
-        nm_selection which = raw(wanted);
-        return detail::fetched<Element>([this, fetch, &which](Element *buf, std::uint64_t capacity,
-                                                      std::uint64_t *needed) {
-            return fetch(handle_, &which, buf, capacity, needed);
-        });
-    }
-
-    template <typename Element>
-    result<std::vector<Element>> array(face_getter<Element> fetch, std::uint32_t k) const {
-        return detail::fetched<Element>([this, fetch, k](Element *buf, std::uint64_t capacity,
-                                                 std::uint64_t *needed) {
-            return fetch(handle_, k, buf, capacity, needed);
-        });
-    }
-
-    static nm_selection raw(const selection &wanted) noexcept {
-        nm_selection which = NM_SELECTION_INIT;
-        which.extent = wanted.extent;
-        which.across = wanted.across ? 1 : 0;
-        which.domain = wanted.domain;
-        return which;
-    }
-
-    // Gets an array in rows of dim + more elements.
-    template <typename Element>
-    result<table<Element>> rows(getter<Element> fetch, std::size_t more) const {
-        result<nm_counts> counted = try_counts();
-        if (!counted) {
-            return failure{counted.status(), counted.message()};
-        }
-        return detail::in_rows(array<Element>(fetch), counted->dim + more);
-    }
-
-    // Gets an array of the faces of dimension k in rows of k + 1 ids.
-    result<table<std::uint32_t>> of_faces(face_getter<std::uint32_t> fetch,
-                                          std::uint32_t k) const {
-        return detail::in_rows(array<std::uint32_t>(fetch, k), std::size_t{k} + 1);
-    }
-
-    // Gets an array of a selection in rows of dim elements.
-    template <typename Element>
-    result<table<Element>> points_of(selected_getter<Element> fetch,
-                                     const selection &wanted) const {
-        result<nm_counts> counted = try_counts();
-        if (!counted) {
-            return failure{counted.status(), counted.message()};
-        }
-        return detail::in_rows(array<Element>(fetch, wanted), counted->dim);
-    }
-
-    result<facet_tables> facets_of(selected_getter<std::uint32_t> vertices_of,
-                                   selected_getter<std::uint32_t> simplices_of,
-                                   const selection &wanted, std::size_t sides) const {
-        result<table<std::uint32_t>> first = points_of<std::uint32_t>(vertices_of, wanted);
-        if (!first) {
-            return failure{first.status(), first.message()};
-        }
-        result<table<std::uint32_t>> second =
-            detail::in_rows(array<std::uint32_t>(simplices_of, wanted), sides);
-        if (!second) {
-            return failure{second.status(), second.message()};
-        }
-        return facet_tables{*std::move(first), *std::move(second)};
-    }
-
-    // Gets lists of a selection, or of the faces of a dimension.
-    template <typename Elements, typename Starts, typename Wanted>
-    result<lists<std::uint32_t>> lists_of(Elements elements, Starts starts,
-                                          const Wanted &wanted) const {
-        result<std::vector<std::uint64_t>> begins = array<std::uint64_t>(starts, wanted);
-        if (!begins) {
-            return failure{begins.status(), begins.message()};
-        }
-        result<std::vector<std::uint32_t>> ids = array<std::uint32_t>(elements, wanted);
-        if (!ids) {
-            return failure{ids.status(), ids.message()};
-        }
-        return lists<std::uint32_t>(*std::move(begins), *std::move(ids));
-    }
-
-    static failure wrong_size(const char *name, std::uint64_t size, const char *rule,
-                              std::uint64_t wanted) {
-        return failure{NM_INVALID_ARGUMENT, std::string(name) + " holds " + std::to_string(size) +
-                                                " numbers; it must be " + rule + " = " +
-                                                std::to_string(wanted)};
-    }
-
-    // Returns the number of points that coordinates make.
-    result<std::size_t> count_of(span<const double> points) const {
-        result<nm_counts> counted = try_counts();
-        if (!counted) {
-            return failure{counted.status(), counted.message()};
-        }
-        if (points.size() % counted->dim != 0) {
-            return failure{NM_INVALID_ARGUMENT, "points holds " + std::to_string(points.size()) +
-                                                    " coordinates, not a multiple of dim = " +
-                                                    std::to_string(counted->dim)};
-        }
-        return points.size() / counted->dim;
-    }
-
-    template <typename Found, typename Query>
-    result<Found> nearest_by(Query query, span<const double> points,
-                             std::uint32_t threads) const {
-        result<std::size_t> count = count_of(points);
-        if (!count) {
-            return failure{count.status(), count.message()};
-        }
-        return detail::allocating("the ids", [&]() -> result<Found> {
-            std::vector<std::uint32_t> ids(*count);
-            std::vector<double> distances(*count);
-            nm_status status = query(handle_, *count, points.data(), threads, ids.data(),
-                                     distances.data());
-            if (status != NM_OK) {
-                return detail::failed(status);
-            }
-            return Found{std::move(ids), std::move(distances)};
-        });
-    }
-
-    nm_mesh *handle_ = nullptr;
 };
 
 }  // namespace netmesh

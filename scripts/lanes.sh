@@ -36,7 +36,10 @@ run_lanes() {
 begin_lane() {
   step "$1 begins; it writes to target/lanes/$1.log"
   set -m
-  "$1_lane" >"$logs/$1.log" 2>&1 &
+  {
+    trap "times >'$logs/$1.times'" EXIT
+    "$1_lane"
+  } >"$logs/$1.log" 2>&1 &
   set +m
   running[$!]="$1"
   began[$!]=$SECONDS

@@ -12,17 +12,12 @@ python_lane() {
   fi
   local place="$PWD/target/python" log="$PWD/target/python_tests.log" packages
   need_python_tools
-  # Many units build faster and are no slower to test.
-  export CARGO_TARGET_DIR="$place" CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16
   cargo fmt --manifest-path python/Cargo.toml --check
-  cargo clippy --manifest-path python/Cargo.toml --release --locked -- -D warnings
   "$place/tools/bin/mypy" --disallow-untyped-defs --ignore-missing-imports --cache-dir "$place/mypy" python/netmesh
   rm -rf "$place/dist" "$place/fresh"
   "$place/tools/bin/maturin" sdist --out "$place/dist"
   python3 scripts/unpack.py "$place"/dist/netmesh-*.tar.gz "$place/source"
-  PATH="$place/tools/bin:$PATH" "$place/tools/bin/pip" wheel --quiet --disable-pip-version-check --no-deps \
-    --no-build-isolation --wheel-dir "$place/dist" "$place/source"
-  unset CARGO_TARGET_DIR CARGO_PROFILE_RELEASE_CODEGEN_UNITS
+  build_wheel "$place"
   python3 -m venv --without-pip "$place/fresh"
   "$place/tools/bin/pip" --python "$place/fresh/bin/python" install --quiet --disable-pip-version-check \
     --no-compile --only-binary :all: "${PYTHON_PACKAGES[0]}" "$place"/dist/netmesh-*.whl
@@ -34,6 +29,17 @@ python_lane() {
   while read -r line; do
     skipped "Python tests" "$line"
   done < <(sed -n 's/^SKIPPED //p' "$log")
+}
+
+# build_wheel PLACE: of the source that is unpacked there. The library compiles for longer than it is
+# tested: less optimisation makes up for slower tests. Clippy compiles the package and has its
+# say while it does; to check it apart would take the library once more.
+build_wheel() {
+  local place="$1"
+  CARGO_TARGET_DIR="$place" CARGO_PROFILE_RELEASE_OPT_LEVEL=1 RUSTC_WORKSPACE_WRAPPER=clippy-driver \
+    RUSTFLAGS=-Dwarnings PATH="$place/tools/bin:$PATH" \
+    "$place/tools/bin/pip" wheel --quiet --disable-pip-version-check --no-deps --no-build-isolation \
+    --wheel-dir "$place/dist" "$place/source"
 }
 
 need_python_tools() {

@@ -6,7 +6,13 @@ readonly skips="$logs/skips"
 
 # took LANE SECONDS
 took() {
-  timings+=("$(printf '%6s  %s' "$2" "$1")")
+  timings+=("$(printf '%6s %9s  %s' "$2" "$(processor_seconds "$logs/$1.times")" "$1")")
+}
+
+# processor_seconds FILE: the sum of what bash's `times` has written there, user and system; a dash without it.
+processor_seconds() {
+  [ -e "$1" ] || { echo -; return 0; }
+  tr ' ' '\n' <"$1" | awk -F '[ms]' '{ sum += 60 * $1 + $2 } END { printf "%.0f\n", sum }'
 }
 
 # skipped WHAT WHY
@@ -40,9 +46,9 @@ skips_of_ctest() {
 report() {
   local status=$?
   stop_lanes
-  printf '\n== seconds\n'
+  printf '\n== seconds, and those of processors\n'
   printf '%s\n' "${timings[@]}"
-  printf '%6s  %s\n' "$SECONDS" "all"
+  printf '%6s %9s  %s\n' "$SECONDS" "$(processor_seconds <(cat "$logs"/*.times 2>/dev/null))" "all"
   printf '\n== skipped\n'
   if [ -s "$skips" ]; then cat "$skips"; else echo "nothing"; fi
   [ $status -eq 0 ] || printf '\nfailed\n' >&2

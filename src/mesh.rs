@@ -31,8 +31,9 @@ pub const MIN_DIM: usize = 2;
 pub const MAX_DIM: usize = 8;
 
 /// Evaluates `body` with the dimension as the constant `D`, and `other` for a dimension that no
-/// mesh has. Unit tests are compiled for 2 to 5 dimensions only: to compile the others again takes
-/// longer than all of them run. The tests in `tests` go up to 8.
+/// mesh has. Unit tests, and the build for the thread sanitizer (`netmesh_few_dimensions`), are
+/// compiled for 2 to 5 dimensions only: to compile the others again takes longer than all of their
+/// tests run. The tests in `tests` go up to 8.
 macro_rules! in_dimension {
     ($dim:expr, $D:ident => $body:expr, _ => $other:expr) => {
         match $dim {
@@ -40,13 +41,13 @@ macro_rules! in_dimension {
             3 => crate::mesh::in_dimension!(@3, $D, $body),
             4 => crate::mesh::in_dimension!(@4, $D, $body),
             5 => crate::mesh::in_dimension!(@5, $D, $body),
-            #[cfg(test)]
+            #[cfg(any(test, netmesh_few_dimensions))]
             6..=8 => panic!("a unit test of more than 5 dimensions belongs in `tests`"),
-            #[cfg(not(test))]
+            #[cfg(not(any(test, netmesh_few_dimensions)))]
             6 => crate::mesh::in_dimension!(@6, $D, $body),
-            #[cfg(not(test))]
+            #[cfg(not(any(test, netmesh_few_dimensions)))]
             7 => crate::mesh::in_dimension!(@7, $D, $body),
-            #[cfg(not(test))]
+            #[cfg(not(any(test, netmesh_few_dimensions)))]
             8 => crate::mesh::in_dimension!(@8, $D, $body),
             _ => $other,
         }

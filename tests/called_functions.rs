@@ -67,7 +67,7 @@ fn functions_of(header: &str) -> BTreeSet<String> {
 /// Returns the public functions of the class: its code is indented by four blanks.
 fn methods_of(header: &str) -> BTreeSet<String> {
     let code = code_of(header);
-    let start = code.find("\nclass mesh {").expect("the header has the class");
+    let start = code.find("\nclass mesh ").expect("the header has the class");
     let class = &code[start..];
     let class = &class[..class.find("\nprivate:").expect("the class has a private part")];
     let begin = |line: &&str| line.starts_with("    ") && !line.starts_with("     ");
@@ -163,7 +163,8 @@ fn a_call_that_is_taken_away_is_missed() {
     assert!(left("nm_run(mesh); fetch(nm_two);").is_empty());
     assert_eq!(left("nm_run(mesh); // nm_two();\n f(\"nm_two(\\\"\");"), ["nm_two"]);
     assert_eq!(left("/* nm_run(mesh);\n */ nm_two(1'000, '\"');"), ["nm_run"]);
-    let class = "x\nclass mesh {\n    mesh(int x);\n    int *get() {\n        go();\n    }\nprivate:\n    hide();";
+    let class = "x\nclass mesh {\n    mesh(int x);\n    int *get() {\n        go();\n    }\n\
+                 private:\n    hide();";
     assert_eq!(methods_of(class).into_iter().collect::<Vec<_>>(), ["get"]);
     assert_eq!(
         called_methods("get(); a.get(); b->put(); c.size;").collect::<Vec<_>>(),

@@ -24,7 +24,7 @@ fn assert_refused(format: Format, table: &[Damaged]) {
 #[test]
 fn geojson_refuses_what_is_no_json() {
     assert_refused(
-        Format::GeoJson,
+        Format::Geojson,
         &[
             ("", Broken, "the file ends at line 1, byte 1, where an object of GeoJSON is"),
             ("\n \n", Broken, "the file ends at line 3, byte 1, where an object of GeoJSON is"),
@@ -51,14 +51,14 @@ fn geojson_refuses_what_is_no_json() {
             ),
         ],
     );
-    let error = from_bytes(b"\xef\xbb{}", Format::GeoJson).unwrap_err();
+    let error = from_bytes(b"\xef\xbb{}", Format::Geojson).unwrap_err();
     assert_eq!(error.message(), "line 1, byte 3: \"{\" where text is expected");
 }
 
 #[test]
 fn geojson_refuses_objects_that_are_none_of_its_own() {
     assert_refused(
-        Format::GeoJson,
+        Format::Geojson,
         &[
             ("{}", Broken, "line 1, byte 1: an object without the member \"type\""),
             ("{\"type\":7}", Broken, "line 1, byte 9: \"7\" where the name of a type is expected"),
@@ -177,7 +177,7 @@ fn geojson_refuses_damaged_coordinates() {
         let (offset, message) = message.split_once(": ").unwrap();
         let byte = before.len() + 1 + offset.parse::<usize>().unwrap();
         let text = format!("{before}{coordinates}}}");
-        let error = from_bytes(text.as_bytes(), Format::GeoJson).expect_err(&text);
+        let error = from_bytes(text.as_bytes(), Format::Geojson).expect_err(&text);
         assert_eq!(error.kind(), kind, "{text}: {error}");
         let message = format!("line 1, byte {byte}: {message}");
         assert!(error.message().starts_with(&message), "{text}: {error}");
@@ -256,7 +256,7 @@ fn files_cut_off_anywhere_are_refused() {
     let json = r#"{"type":"FeatureCollection","features":[{"type":"Feature",
         "properties":{"a":["\u0041",1e5]},"geometry":{"type":"MultiPolygon","coordinates":[[[[0,0],[1.5,0],[0,1],[0,0]]]]}}]}"#;
     let wkt = "MULTIPOLYGON(((0 0,1.5 0,0 1,0 0),(1 1,1 2,2 1,1 1)))";
-    for (format, text) in [(Format::GeoJson, json), (Format::Wkt, wkt)] {
+    for (format, text) in [(Format::Geojson, json), (Format::Wkt, wkt)] {
         from_bytes(text.as_bytes(), format).unwrap();
         for end in 0..text.len() {
             let error = from_bytes(&text.as_bytes()[..end], format).expect_err(&text[..end]);
@@ -270,7 +270,7 @@ fn files_cut_off_anywhere_are_refused() {
 fn long_numbers_are_read_or_refused() {
     let zeros = "0".repeat(2000);
     for (format, before, after) in [
-        (Format::GeoJson, "{\"type\":\"Point\",\"coordinates\":[1,", "]}"),
+        (Format::Geojson, "{\"type\":\"Point\",\"coordinates\":[1,", "]}"),
         (Format::Wkt, "POINT(1 ", ")"),
     ] {
         let read = |number: &str| {

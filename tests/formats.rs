@@ -329,7 +329,7 @@ fn formats_that_cannot_be_written_say_so() {
         assert!(!path.exists());
     }
     assert_eq!(Format::Off.resolve_output(Path::new("a.poly")), Ok(Format::Off));
-    for format in [Format::Poly, Format::Smesh, Format::GeoJson, Format::Wkt] {
+    for format in [Format::Poly, Format::Smesh, Format::Geojson, Format::Wkt] {
         let error = write(&two_points(), format, &mut Vec::new()).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::InvalidArgument);
         let expected =
@@ -383,7 +383,7 @@ fn extensions_stand_for_formats() {
         (&["domains.json"], Format::DomainsJson),
         (&["poly", "POLY"], Format::Poly),
         (&["smesh"], Format::Smesh),
-        (&["geojson", "GeoJSON"], Format::GeoJson),
+        (&["geojson", "GeoJSON"], Format::Geojson),
         (&["wkt"], Format::Wkt),
     ] {
         for extension in extensions {

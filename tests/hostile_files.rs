@@ -230,33 +230,33 @@ fn a_gigabyte_of_one_byte_is_refused_at_once() {
 fn long_lines_are_refused_within_bounded_memory() {
     const NAME: &str = "{\"type\":\"Point\",\"name\":";
     for (format, begin, repeated, at_once, message) in [
-        (Format::GeoJson, "", "\0", true, "line 1, byte 1: a NUL byte; this is not a text file"),
-        (Format::GeoJson, "", "1", true, "line 1, byte 1: \"1\" where an object of GeoJSON is"),
-        (Format::GeoJson, NAME, "1", true, "line 1, byte 24: a word of more than 2048 bytes"),
-        (Format::GeoJson, NAME, "[", true, "line 1, byte 123: more than 100 lists and objects in"),
+        (Format::Geojson, "", "\0", true, "line 1, byte 1: a NUL byte; this is not a text file"),
+        (Format::Geojson, "", "1", true, "line 1, byte 1: \"1\" where an object of GeoJSON is"),
+        (Format::Geojson, NAME, "1", true, "line 1, byte 24: a word of more than 2048 bytes"),
+        (Format::Geojson, NAME, "[", true, "line 1, byte 123: more than 100 lists and objects in"),
         (
-            Format::GeoJson,
+            Format::Geojson,
             NAME,
             "{\"a\":",
             true,
             "line 1, byte 519: more than 100 lists and objects",
         ),
         (
-            Format::GeoJson,
+            Format::Geojson,
             "",
             " ",
             false,
             "the file ends at line 1, byte 134217729, where an object",
         ),
         (
-            Format::GeoJson,
+            Format::Geojson,
             "{\"",
             "abc",
             false,
             "the file ends at line 1, byte 134217731, where a char",
         ),
         (
-            Format::GeoJson,
+            Format::Geojson,
             "{\"a\":[0",
             ",[]",
             false,

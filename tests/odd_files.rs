@@ -338,8 +338,8 @@ fn what_files_say_is_told_from_how_they_say_it() {
         (Format::Wkt, "POLYGON((0 0,1 0,0 0))".into(), true),
         (Format::Wkt, "LINESTRING(0 0)".into(), true),
         (Format::Wkt, "POLYGON((0 0,1 0,1 1,0 0)".into(), false),
-        (Format::GeoJson, r#"{"type":"LineString","coordinates":[[0,0]]}"#.into(), true),
-        (Format::GeoJson, r#"{"type":"LineString","coordinates":[[0,0],[1]]}"#.into(), false),
+        (Format::Geojson, r#"{"type":"LineString","coordinates":[[0,0]]}"#.into(), true),
+        (Format::Geojson, r#"{"type":"LineString","coordinates":[[0,0],[1]]}"#.into(), false),
         (Format::Off, "OFF\n2 1 0\n0 0 0\n1 0 0\n2 0 2\n".into(), true),
         (Format::Off, "OFF\n2 1 0\n0 0 0\n1 0 0\n2 0\n".into(), false),
     ] {

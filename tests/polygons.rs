@@ -40,7 +40,7 @@ fn run_by(mesh: &mut Mesh, options: &Options) -> Result<(f64, Options)> {
 
 #[test]
 fn lakes_are_outside() {
-    for (text, format) in [(WKT, Format::Wkt), (GEOJSON, Format::GeoJson)] {
+    for (text, format) in [(WKT, Format::Wkt), (GEOJSON, Format::Geojson)] {
         let mut mesh = mesh_of(text, format);
         assert_eq!(run(&mut mesh, Interior::Auto), Ok((196.0, Interior::Parity)));
         assert_eq!(run(&mut mesh, Interior::Seeds), Ok((200.0, Interior::Seeds)));

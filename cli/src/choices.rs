@@ -51,7 +51,7 @@ pub enum FormatName {
     Smesh,
     /// Points, lines and polygons of GeoJSON, read only (.geojson)
     #[value(name = "geojson")]
-    GeoJson,
+    Geojson,
     /// Points, lines and polygons of well-known text, read only (.wkt)
     Wkt,
 }
@@ -73,7 +73,7 @@ impl ValueEnum for ReadableFormat {
             ReadableFormat(FormatName::Npy),
             ReadableFormat(FormatName::Poly),
             ReadableFormat(FormatName::Smesh),
-            ReadableFormat(FormatName::GeoJson),
+            ReadableFormat(FormatName::Geojson),
             ReadableFormat(FormatName::Wkt),
         ];
         &READABLE
@@ -127,7 +127,7 @@ impl FormatName {
             Self::DomainsJson => Format::DomainsJson,
             Self::Poly => Format::Poly,
             Self::Smesh => Format::Smesh,
-            Self::GeoJson => Format::GeoJson,
+            Self::Geojson => Format::Geojson,
             Self::Wkt => Format::Wkt,
         }
     }

@@ -4,7 +4,7 @@
 //! in. After a change of the options,
 //!
 //!     NETMESH_WRITE_MANUAL=1 cargo test --package netmesh-cli manual
-//!     NETMESH_WRITE_MANUAL=1 cargo test --manifest-path mpi/Cargo.toml manual
+//!     NETMESH_WRITE_MANUAL=1 cargo test --package netmesh-mpi manual
 //!
 //! write them anew.
 

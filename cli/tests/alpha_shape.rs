@@ -1,8 +1,6 @@
 //! The boundary of an alpha shape in place of the mesh.
 
-mod workbench;
-
-use workbench::Workbench;
+use crate::workbench::Workbench;
 
 /// The corners of a cube and of a smaller one far from it.
 fn cubes() -> String {

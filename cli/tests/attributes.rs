@@ -1,10 +1,8 @@
 //! Columns of the input that become attributes of the points, and where the output has them.
 
-mod workbench;
-
+use crate::workbench::Workbench;
 use std::fs;
 use std::path::Path;
-use workbench::Workbench;
 
 /// Points with a temperature, a label and a second number; the last one is the first again.
 const STATIONS: &str = "\

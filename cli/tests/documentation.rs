@@ -1,13 +1,11 @@
 //! The documents say what the code does.
 
-mod workbench;
-
+use crate::workbench::Workbench;
 use netmesh::{Criterion, Mesh, Options};
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use workbench::Workbench;
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
@@ -80,7 +78,7 @@ fn every_exit_code_is_in_the_help_and_in_the_document() {
 fn every_format_is_in_the_document() {
     let help = Command::new(env!("CARGO_BIN_EXE_netmesh")).arg("--help").output().expect("it runs");
     let help = String::from_utf8_lossy(&help.stdout).into_owned();
-    // What can be read, and what can be written.
+    // Formats that can be read, and those that can be written.
     let mut names: Vec<&str> = Vec::new();
     for (option, count) in [("--input-format <FORMAT>", 12), ("--output-format <FORMAT>", 11)] {
         let (_, formats) = help.split_once(option).expect("the option");

@@ -1,8 +1,6 @@
 //! Facets of files: what they become, what is left, and what is refused.
 
-mod workbench;
-
-use workbench::Workbench;
+use crate::workbench::Workbench;
 
 const CUBE: &str = "OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n\
                     4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";

@@ -1,9 +1,7 @@
 //! Standard input and output, an output that is the input, and files with more columns than
 //! coordinates.
 
-mod workbench;
-
-use workbench::Workbench;
+use crate::workbench::Workbench;
 
 const SQUARE: &str = "0 0\n1 0\n0 1\n1 1\n0.5 0.25\n";
 

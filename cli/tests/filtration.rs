@@ -1,8 +1,6 @@
 //! A filtration in place of the mesh.
 
-mod workbench;
-
-use workbench::Workbench;
+use crate::workbench::Workbench;
 
 const TRIANGLE: &str = "0 0\n4 0\n0 3\n";
 

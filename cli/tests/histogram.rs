@@ -1,11 +1,9 @@
 //! `--histogram`: tables for people, arrays for programs.
 
-mod workbench;
-
+use crate::workbench::Workbench;
 use netmesh::quality::{Measure, histogram};
 use netmesh::{Mesh, Options};
 use serde_json::Value;
-use workbench::Workbench;
 
 /// Points on a spiral in space.
 fn points() -> Vec<f64> {

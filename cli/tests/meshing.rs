@@ -1,9 +1,7 @@
 //! Small runs from points to certified files.
 
-mod workbench;
-
+use crate::workbench::Workbench;
 use serde_json::Value;
-use workbench::Workbench;
 
 /// Twenty points on a spiral, and the last one twice.
 fn spiral(dim: usize) -> String {
@@ -199,7 +197,7 @@ fn json_has_the_fields_of_the_structs() {
         let fields = fields.filter_map(|line| line.strip_suffix(';'));
         let mut names: Vec<_> =
             fields.filter_map(|line| line.split([' ', '*']).next_back()).collect();
-        // What the caller gives to a run is no option of it.
+        // Things that the caller gives to a run are no options of it.
         let calls = ["struct_size", "progress", "user_data", "size", "size_user_data"];
         names.retain(|name| !calls.contains(name) && !name.starts_with("reserved"));
         let mut written: Vec<_> = json[part].as_object().expect("an object").keys().collect();

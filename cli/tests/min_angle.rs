@@ -1,9 +1,7 @@
 //! `--min-angle`, Triangle's `-q`.
 
-mod workbench;
-
+use crate::workbench::Workbench;
 use serde_json::Value;
-use workbench::Workbench;
 
 fn bench(test: &str) -> Workbench {
     let bench = Workbench::new(test);

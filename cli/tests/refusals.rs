@@ -1,9 +1,7 @@
 //! Whatever is wrong with a call, the exit code says whose turn it is, the message names the place,
 //! and nothing is left behind.
 
-mod workbench;
-
-use workbench::Workbench;
+use crate::workbench::Workbench;
 
 const SQUARE: &str = "0 0\n1 0\n0 1\n1 1\n0.5 0.25\n";
 

@@ -1,9 +1,7 @@
 //! `--max-edge`, `--sizes` and `--background`.
 
-mod workbench;
-
+use crate::workbench::Workbench;
 use serde_json::Value;
-use workbench::Workbench;
 
 fn bench(test: &str) -> Workbench {
     let bench = Workbench::new(test);
@@ -72,7 +70,7 @@ fn a_background_without_sizes_is_refused() {
     bench.write("ragged.csv", "x,y,size\n0,0,1\n1,0\n");
     bench.write("tensors.xyz", "0 0\n1 0\n0 1\n");
     bench.write("tensors.mtr", "3 3\n1 0 1\n4 0 4\n1 0 1\n");
-    // Which of several attributes is a size the file does not say.
+    // The file does not say which of several attributes is a size.
     bench.write("three.node", "3 2 3 0\n0 0 0 1 0 1\n1 1 0 4 0 4\n2 0 1 1 0 1\n");
     bench.write("none.node", "3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n");
     bench.write("surface.stl", "solid\nendsolid\n");

@@ -1,13 +1,11 @@
 //! A person at a terminal, who sees and does this: progress of every stage, and Ctrl-C.
 #![cfg(unix)]
 
-mod workbench;
-
+use crate::workbench::Workbench;
 use std::os::unix::process::ExitStatusExt;
 use std::process::{Command, ExitStatus, Stdio};
 use std::thread::sleep;
 use std::time::Duration;
-use workbench::Workbench;
 
 const SIGHUP: i32 = 1;
 const SIGINT: i32 = 2;

@@ -11,5 +11,5 @@ pub fn check(data: &[u8]) {
 /// Checks a file; returns true if it was accepted.
 pub fn check_text(text: &[u8]) -> bool {
     let begins_object = text.trim_ascii_start().starts_with(b"{");
-    outlines::check_text(if begins_object { Format::GeoJson } else { Format::Wkt }, text)
+    outlines::check_text(if begins_object { Format::Geojson } else { Format::Wkt }, text)
 }

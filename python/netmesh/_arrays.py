@@ -21,7 +21,7 @@ _LARGEST_EXACT = 2**53
 
 def array(values: Any, name: str) -> np.ndarray:
     """Make an array of `values` as they stand; refuse masked elements and ragged rows."""
-    # What is under a mask is no number of the caller's.
+    # An element under a mask is no number of the caller's.
     if _holds_masked(values):
         raise InvalidArgumentError(f"{name} has masked elements; fill or drop them")
     try:

@@ -148,7 +148,7 @@ class Delaunay:
     def vertex_to_simplex(self) -> np.ndarray:
         mesh = self.mesh
         of_vertices = np.empty(len(mesh.points), np.int32)
-        # Of several simplices the first remains.
+        # The first of several simplices remains.
         simplices = np.repeat(np.arange(self.nsimplex, dtype=np.int32), self.ndim + 1)
         of_vertices[mesh.simplices.ravel()[::-1]] = simplices[::-1]
         return of_vertices[mesh.input_vertices]

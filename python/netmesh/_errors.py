@@ -44,7 +44,7 @@ class FileError(Error, OSError):
     """
 
     def __str__(self) -> str:
-        # Of an `OSError` with three arguments this is the second one.
+        # This is the second argument of an `OSError` with three.
         return Error.__str__(self) if self.strerror is None else str(self.strerror)
 
 

@@ -1,25 +1,17 @@
 //! A mesh with its arrays.
 
 use crate::arrays::{rows, shared, shared_ids, shared_ids_1, strided, unsigned};
-use crate::boundary::{Boundary, set_boundary};
-use crate::errors::{
-    detached_on_file, exception, exception_with, in_default_environment, invalid, raised, unlocked,
-};
-use crate::options::{by_keyword, options};
-use crate::progress::Reporter;
-use crate::selection::{Given, selected};
-use crate::sizes::Sizes;
-use netmesh::io::{Format, write_file_with};
+use crate::errors::{exception, in_default_environment, invalid, raised};
+use crate::options::by_keyword;
 use netmesh::mesh::{Inputs, MAX_DIM, MIN_DIM};
 use netmesh::prepared::Prepared;
-use netmesh::{Attribute, ErrorKind, Mesh, Triangulation};
+use netmesh::{ErrorKind, Mesh, Triangulation};
 use numpy::ndarray::ArrayView;
 use numpy::prelude::*;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::ops::Deref;
-use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex};
 
@@ -41,6 +33,10 @@ pub struct Made {
 }
 
 impl Made {
+    pub fn new(mesh: Mesh) -> Self {
+        Self { mesh, prepared: Prepared::default(), has_index: AtomicBool::new(false) }
+    }
+
     pub fn triangulation(&self) -> &Triangulation {
         self.mesh.triangulation().expect("a run made it")
     }
@@ -56,37 +52,6 @@ impl Deref for Core {
 
 #[pymethods]
 impl Core {
-    /// Makes a mesh of points, which are copied before other threads may change them.
-    #[new]
-    fn new(
-        py: Python<'_>,
-        points: PyReadonlyArray2<'_, f64>,
-        progress: Option<Py<PyAny>>,
-        given: &Bound<'_, PyDict>,
-        boundary: Option<Boundary<'_>>,
-    ) -> PyResult<Self> {
-        let options = options(given)?;
-        let mut mesh = mesh_of(py, &points)?;
-        let sizes = Sizes::new(&mut mesh, given)?;
-        if let Some(boundary) = boundary {
-            set_boundary(py, &mut mesh, &boundary)?;
-        }
-        let mut reporter = Reporter::new(progress);
-        let done = unlocked(py, || {
-            let report = &mut |progress: &_| reporter.report(progress);
-            sizes.with(|size| mesh.run_sized(&options, size, Some(report)))
-        });
-        match reporter.exception.or(sizes.exception()) {
-            Some(exception) => Err(exception),
-            None => {
-                done.map_err(|error| exception_with(py, &error, mesh.regions()))?;
-                let has_index = AtomicBool::new(false);
-                let made = Made { mesh, prepared: Prepared::default(), has_index };
-                Ok(Self { made: Arc::new(made), delaunay: Mutex::default() })
-            }
-        }
-    }
-
     #[getter]
     fn points<'py>(this: &Bound<'py, Self>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let mesh = this.get().triangulation();
@@ -226,48 +191,6 @@ impl Core {
     fn input_points<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         points_of_inputs(py, self.mesh.inputs())
     }
-
-    fn export(
-        &self,
-        py: Python<'_>,
-        path: PathBuf,
-        format: &Bound<'_, PyAny>,
-        selection: Given<'_>,
-        attributes: Vec<(String, PyReadonlyArray2<'_, f64>)>,
-    ) -> PyResult<()> {
-        let formats = [
-            ("auto", Format::Auto),
-            ("vtu", Format::Vtu),
-            ("tetgen_node", Format::TetgenNode),
-            ("gmsh", Format::Gmsh),
-            ("medit", Format::Medit),
-            ("off", Format::Off),
-            ("ply", Format::Ply),
-            ("xyz", Format::Xyz),
-            ("csv", Format::Csv),
-            ("npy", Format::Npy),
-            ("voronoi_json", Format::VoronoiJson),
-            ("domains_json", Format::DomainsJson),
-        ];
-        let format = crate::options::choice("format", format, &formats)?;
-        if !attributes.is_empty() {
-            require_attributes(py, &path, format)?;
-        }
-        let attributes = vertex_attributes(py, &attributes)?;
-        let Some(selection) = selected(selection)? else {
-            return detached_on_file(py, &path, || {
-                write_file_with(&self.mesh, &attributes, &path, format)
-            });
-        };
-        detached_on_file(py, &path, || {
-            let part = self.prepared.part(&self.mesh, &selection)?;
-            let (mesh, attributes) = part.to_mesh(self.mesh.inputs(), &attributes)?;
-            let markers = &self.mesh.facets_of_result().markers;
-            let mesh = mesh.with_facet_markers(markers.to_vec());
-            let mesh = mesh.with_markers(self.mesh.markers_of_result().to_vec());
-            write_file_with(&mesh, &attributes, &path, format)
-        })
-    }
 }
 
 /// Returns a mesh of points, which are copied.
@@ -303,32 +226,4 @@ pub fn points_of_inputs<'py>(
         out.copy_from_slice(inputs.point(i));
     }
     Ok(array)
-}
-
-/// Refuses a format that would leave the attributes out.
-fn require_attributes(py: Python<'_>, path: &Path, format: Format) -> PyResult<()> {
-    let format = format.resolve_output(path).map_err(|error| exception(py, &error))?;
-    if format.holds_attributes() {
-        return Ok(());
-    }
-    let message = format!(
-        "{}: {} holds no attributes; VTU, TetGen, Gmsh, PLY, CSV and NumPy files do",
-        path.display(),
-        format.name()
-    );
-    Err(invalid(py, message))
-}
-
-/// Returns values at the vertices as attributes, under names that the library allows.
-fn vertex_attributes(
-    py: Python<'_>,
-    given: &[(String, PyReadonlyArray2<'_, f64>)],
-) -> PyResult<Vec<Attribute>> {
-    let attribute = |(name, values): &(String, PyReadonlyArray2<'_, f64>)| {
-        let components = values.as_array().dim().1;
-        let values = values.as_slice()?.to_vec();
-        Attribute::check_name(name).map_err(|error| exception(py, &error))?;
-        Ok(Attribute { name: name.clone(), components, values, is_extended: false })
-    };
-    given.iter().map(attribute).collect()
 }

@@ -1,8 +1,8 @@
 //! The library's errors as Python's exceptions, and Python's locks let go while the library works.
 
-use crate::options::keyword_argument;
 use netmesh::capi::shared::Environment;
 use netmesh::error::{Name, Words};
+use netmesh::options::Chosen;
 use netmesh::query::Stop;
 use netmesh::{Error, ErrorKind, Region, Result};
 use pyo3::call::PyCallArgs;
@@ -43,7 +43,10 @@ struct InPython<'a> {
 impl Words for InPython<'_> {
     fn write(&self, name: Name, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match name {
-            Name::Chosen(choice) => f.write_str(&keyword_argument(choice)),
+            Name::Chosen(choice) => {
+                let Chosen { option, word, .. } = choice.chosen();
+                write!(f, "{option}='{}'", word.word)
+            }
             Name::Size | Name::Sizes => f.write_str("size"),
             Name::Background => f.write_str("background"),
             Name::SizeAt(at) => write!(f, "size[{at}]"),

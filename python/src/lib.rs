@@ -6,6 +6,8 @@ mod boundary;
 mod core;
 mod derived;
 mod errors;
+mod export;
+mod making;
 mod options;
 mod progress;
 mod queries;

@@ -2,8 +2,7 @@
 
 use crate::errors::{self, invalid};
 use netmesh::Options;
-use netmesh::error::Choice;
-use netmesh::options::{Chosen, Kind, Row, TABLE, Value};
+use netmesh::options::{Kind, Row, TABLE, Value};
 use pyo3::exceptions::{PyOverflowError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -56,12 +55,6 @@ pub fn by_keyword<'py>(py: Python<'py>, options: &Options) -> PyResult<Bound<'py
         }
     }
     Ok(by_name)
-}
-
-/// Returns an option with its value, as a caller writes it.
-pub fn keyword_argument(choice: Choice) -> String {
-    let Chosen { option, word, .. } = choice.chosen();
-    format!("{option}='{}'", word.word)
 }
 
 /// Returns the value that has a name.

@@ -4,7 +4,7 @@ use crate::core::Core;
 use crate::errors::abandonable;
 use crate::options::{choice, whole};
 use netmesh::Result;
-use netmesh::arrays::{Extent, Part, Selection};
+use netmesh::arrays::{Part, Selection, SelectionExtent};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use std::sync::Arc;
@@ -13,8 +13,8 @@ use std::sync::Arc;
 /// all simplices.
 pub type Given<'py> = Option<(Bound<'py, PyAny>, bool, Option<Bound<'py, PyAny>>)>;
 
-const EXTENTS: [(&str, Extent); 3] =
-    [("all", Extent::All), ("hull", Extent::Hull), ("box", Extent::Box)];
+const EXTENTS: [(&str, SelectionExtent); 3] =
+    [("all", SelectionExtent::All), ("hull", SelectionExtent::Hull), ("box", SelectionExtent::Box)];
 
 pub fn selected(given: Given<'_>) -> PyResult<Option<Selection>> {
     let Some((extent, across, domain)) = given else { return Ok(None) };

@@ -48,7 +48,7 @@ pub use faces::{Facets, Hull};
 pub use groups::{Arrays, Group};
 pub use part::Part;
 pub use placement::Placement;
-pub use selection::{Extent, Selection};
+pub use selection::{Selection, SelectionExtent};
 pub use voronoi::{Cells, Ridges, Voronoi};
 
 use crate::error::Result;

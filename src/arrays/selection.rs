@@ -10,7 +10,7 @@ use crate::query::check_arrays;
 
 /// Region of space that a selection is restricted to.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Extent {
+pub enum SelectionExtent {
     /// The whole space.
     #[default]
     All,
@@ -24,7 +24,7 @@ pub enum Extent {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Selection {
     /// Region in which the simplices must lie.
-    pub extent: Extent,
+    pub extent: SelectionExtent,
     /// True to include simplices whose interior is partly in the region.
     pub across: bool,
     /// Domain to which the simplices must belong, itself or in a domain inside it; [`NONE`] for
@@ -34,13 +34,13 @@ pub struct Selection {
 
 impl Default for Selection {
     fn default() -> Self {
-        Self { extent: Extent::All, across: false, domain: NONE }
+        Self { extent: SelectionExtent::All, across: false, domain: NONE }
     }
 }
 
 impl<'a> Part<'a> {
     /// Returns the part of the mesh that a selection picks. `placements` are those of all simplices
-    /// with respect to the selection's extent; [`Extent::All`] needs none.
+    /// with respect to the selection's extent; [`SelectionExtent::All`] needs none.
     ///
     /// # Errors
     /// `InvalidArgument` (a domain that does not exist; a number of placements that is not that of
@@ -57,7 +57,7 @@ impl<'a> Part<'a> {
                 say!(Name::SelectedDomain, " is {domain}; the mesh has {domains} domains");
             return Err(Error::new(ErrorKind::InvalidArgument, message));
         }
-        let is_everywhere = selection.extent == Extent::All;
+        let is_everywhere = selection.extent == SelectionExtent::All;
         if is_everywhere && domain == NONE {
             return Self::whole(mesh);
         }

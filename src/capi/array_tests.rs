@@ -6,7 +6,6 @@ use super::handle::*;
 use super::structs::nm_selection;
 use super::voronoi::*;
 use crate::arrays::Selection;
-use crate::capi::enums::nm_format;
 use crate::capi::export::{nm_export_write, nm_export_write_selected};
 use crate::capi::test_support::{from_c, last_message, square};
 use crate::io::Format;
@@ -57,11 +56,11 @@ fn getters_have_the_arrays_of_the_selection() {
         (select(0, 0, NONE), Selection::default()),
         (
             select(2, 0, NONE),
-            Selection { extent: crate::arrays::Extent::Hull, across: false, domain: NONE },
+            Selection { extent: crate::arrays::SelectionExtent::Hull, across: false, domain: NONE },
         ),
         (
             select(3, 1, 0),
-            Selection { extent: crate::arrays::Extent::Box, across: true, domain: 0 },
+            Selection { extent: crate::arrays::SelectionExtent::Box, across: true, domain: 0 },
         ),
         (select(0, 0, 1), Selection { domain: 1, ..Selection::default() }),
     ];
@@ -110,7 +109,7 @@ fn getters_have_the_arrays_of_the_selection() {
         nm_mesh_get_placements(&handle, from_c(2), bytes.as_mut_ptr(), capacity, null_mut())
     };
     assert_eq!(status, nm_status::NM_OK);
-    let expected = prepared.placements(&mesh, crate::arrays::Extent::Hull).unwrap();
+    let expected = prepared.placements(&mesh, crate::arrays::SelectionExtent::Hull).unwrap();
     assert!(bytes.iter().zip(expected).all(|(&byte, &placement)| byte == placement as u8));
     assert!((0..3).all(|byte| bytes.contains(&byte)));
 }
@@ -124,7 +123,7 @@ unsafe extern "C" fn append(data: *const c_void, size: usize, text: *mut c_void)
 }
 
 /// Returns the bytes of an export.
-fn export(mesh: &nm_mesh, selection: *const nm_selection, format: nm_format) -> Vec<u8> {
+fn export(mesh: &nm_mesh, selection: *const nm_selection, format: Format) -> Vec<u8> {
     let mut text = Vec::<u8>::new();
     let to = (&raw mut text).cast();
     // SAFETY: a live handle; the callback gets its vector.
@@ -139,17 +138,17 @@ fn export(mesh: &nm_mesh, selection: *const nm_selection, format: nm_format) -> 
 fn exports_have_the_selection() {
     let mesh = meshed();
     let handle = nm_mesh::new(mesh.clone());
-    let all = export(&handle, null(), nm_format::NM_FORMAT_VTU);
+    let all = export(&handle, null(), Format::Vtu);
     let mut whole = Vec::<u8>::new();
     // SAFETY: a live handle; the callback gets its vector.
     let status = unsafe {
         let to = (&raw mut whole).cast();
-        nm_export_write(&handle, from_c(nm_format::NM_FORMAT_VTU as i32), Some(append), to)
+        nm_export_write(&handle, from_c(Format::Vtu as i32), Some(append), to)
     };
     assert_eq!((status, &all), (nm_status::NM_OK, &whole));
     let hull = select(2, 0, NONE);
     let part = get_all(&handle, &hull, nm_mesh_get_selected).len();
-    let text = export(&handle, &hull, nm_format::NM_FORMAT_XYZ);
+    let text = export(&handle, &hull, Format::Xyz);
     let cloud = crate::io::read(&mut text.as_slice(), Format::Xyz).unwrap();
     let points = cloud.coordinates.len() / 2;
     // Some of the vertices, in their order.
@@ -158,13 +157,13 @@ fn exports_have_the_selection() {
     let rows = cloud.coordinates.chunks_exact(2);
     assert!(points < triangulation.vertex_count() && points > mesh.inputs().distinct() / 2);
     rows.for_each(|row| assert!(vertices.any(|vertex| vertex == row)));
-    let vtu = export(&handle, &hull, nm_format::NM_FORMAT_VTU);
+    let vtu = export(&handle, &hull, Format::Vtu);
     let count = format!("NumberOfCells=\"{part}\"");
     assert!(String::from_utf8_lossy(&vtu).contains(&count));
     // SAFETY: a live handle; the callback gets its vector.
     let status = unsafe {
         let to = (&raw mut whole).cast();
-        let format = from_c(nm_format::NM_FORMAT_DOMAINS_JSON as i32);
+        let format = from_c(Format::DomainsJson as i32);
         nm_export_write_selected(&handle, &hull, format, Some(append), to)
     };
     assert_eq!(status, nm_status::NM_INVALID_ARGUMENT);

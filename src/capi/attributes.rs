@@ -13,10 +13,11 @@ use std::ffi::c_char;
 /// name: 1 to 64 ASCII letters, digits, '_', '-' and '.'; not one that files have for something
 /// else: x, y, z, x0, x1 and so on, points, kind, domain, input, precision_limited, aspect,
 /// cell_domain, radius_edge, below_min_dihedral, beyond_bound. components: numbers an input; 0
-/// removes the values of that name, and values may be NULL then. values: inputs x components numbers, duplicates included, which are
-/// copied; of equal inputs the first counts. In formats whose columns are single numbers, name_0,
-/// name_1 and so on are the components. Gmsh has vectors of two and three components as vectors. A
-/// .node file has no names: its attributes are in the order in which their names were set first.
+/// removes the values of that name, and values may be NULL then. values: inputs x components
+/// numbers, duplicates included, which are copied; of equal inputs the first counts. In formats
+/// whose columns are single numbers, name_0, name_1 and so on are the components. Gmsh has vectors
+/// of two and three components as vectors. A .node file has no names: its attributes are in the
+/// order in which their names were set first.
 ///
 /// Errors: NM_NULL_ARGUMENT (mesh, name, values), NM_INVALID_ARGUMENT (name, values not aligned),
 /// NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh, or it is poisoned).
@@ -106,10 +107,10 @@ pub unsafe extern "C" fn nm_mesh_get_attributes(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::capi::enums::nm_format;
     use crate::capi::export::nm_export_write;
     use crate::capi::handle::with_mesh_mut;
     use crate::capi::test_support::{from_c, last_message, square};
+    use crate::io::Format;
     use crate::options::Options;
     use std::ffi::{CStr, c_void};
     use std::ptr::{null, null_mut};
@@ -122,7 +123,7 @@ mod tests {
         0
     }
 
-    fn export(mesh: &nm_mesh, format: nm_format) -> String {
+    fn export(mesh: &nm_mesh, format: Format) -> String {
         let mut text = Vec::<u8>::new();
         let to = (&raw mut text).cast();
         // SAFETY: a live handle; the callback gets its vector.
@@ -161,7 +162,7 @@ mod tests {
         };
         assert_eq!(statuses, [nm_status::NM_OK; 3]);
         assert_eq!(get(&mesh, c"heat"), [1.0, 2.0, 3.0, 2.0]);
-        let csv = export(&mesh, nm_format::NM_FORMAT_CSV);
+        let csv = export(&mesh, Format::Csv);
         assert!(
             csv.starts_with("x0,x1,kind,heat,wind,flow_0,flow_1\n0,0,0,1,0.5,0.5,0.5\n"),
             "{csv}"
@@ -174,18 +175,18 @@ mod tests {
         assert!(get(&mesh, c"wind").iter().all(|wind| (wind - 0.5).abs() < 1e-12));
         assert!(heat.len() > 4 && heat.iter().all(|value| (1.0..=3.0).contains(value)));
         assert!(flow[..8].iter().all(|&x| x == 0.5) && flow[8..].iter().all(|x| x.is_nan()));
-        let vtu = export(&mesh, nm_format::NM_FORMAT_VTU);
+        let vtu = export(&mesh, Format::Vtu);
         assert!(vtu.contains(r#"type="Float64" Name="flow" NumberOfComponents="2""#));
-        assert!(export(&mesh, nm_format::NM_FORMAT_GMSH).contains("$NodeData\n1\n\"heat\"\n"));
-        assert!(export(&mesh, nm_format::NM_FORMAT_PLY).contains("property double flow_1\n"));
-        let npy = export(&mesh, nm_format::NM_FORMAT_NPY);
+        assert!(export(&mesh, Format::Gmsh).contains("$NodeData\n1\n\"heat\"\n"));
+        assert!(export(&mesh, Format::Ply).contains("property double flow_1\n"));
+        let npy = export(&mesh, Format::Npy);
         assert!(npy.contains("('points', '<f8', (2,)), ('kind', '|u1'), ('heat', '<f8')"), "{npy}");
-        let node = export(&mesh, nm_format::NM_FORMAT_TETGEN_NODE);
+        let node = export(&mesh, Format::TetgenNode);
         assert!(node.contains(" 2 4 1\n0 0 0 1 0.5 0.5 0.5 0\n"), "{node}");
         // SAFETY: a live handle.
         let status = unsafe { nm_mesh_set_attributes(&mut mesh, c"heat".as_ptr(), 0, null()) };
         assert_eq!(status, nm_status::NM_OK);
-        assert!(!export(&mesh, nm_format::NM_FORMAT_CSV).contains("heat"));
+        assert!(!export(&mesh, Format::Csv).contains("heat"));
     }
 
     #[test]

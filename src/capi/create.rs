@@ -1,12 +1,12 @@
 //! Making and freeing handles.
 
 use super::decode::decode_format;
-use super::enums::{nm_format, nm_status};
+use super::enums::nm_status;
 use super::error::null_argument;
 use super::handle::{barrier, nm_mesh};
 use super::memory::{doubles, utf8, utf8_path};
 use crate::error::{Error, Result, message};
-use crate::io::{self, Choice};
+use crate::io::{self, Choice, Format};
 use crate::memory::with_capacity;
 use crate::mesh::{MAX_DIM, MIN_DIM, Mesh, NONE};
 use std::ffi::c_char;
@@ -66,7 +66,7 @@ pub unsafe extern "C" fn nm_mesh_create(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn nm_mesh_create_from_file(
     path_utf8: *const c_char,
-    format: MaybeUninit<nm_format>,
+    format: MaybeUninit<Format>,
     out: *mut *mut nm_mesh,
 ) -> nm_status {
     // SAFETY: the caller's promises are those of `hand_out` and `utf8_path`.
@@ -97,7 +97,7 @@ pub unsafe extern "C" fn nm_mesh_create_from_file(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn nm_mesh_create_from_columns(
     path_utf8: *const c_char,
-    format: MaybeUninit<nm_format>,
+    format: MaybeUninit<Format>,
     columns: *const c_char,
     attributes: *const c_char,
     out: *mut *mut nm_mesh,
@@ -304,7 +304,7 @@ mod tests {
         std::fs::write(&path, lake).unwrap();
         let text = CString::new(path.to_str().unwrap()).unwrap();
         let mut mesh = null_mut();
-        let format = from_c(nm_format::NM_FORMAT_AUTO as i32);
+        let format = from_c(Format::Auto as i32);
         // SAFETY: a C string, and room for a handle.
         let status = unsafe { nm_mesh_create_from_file(text.as_ptr(), format, &mut mesh) };
         std::fs::remove_file(&path).unwrap();
@@ -341,7 +341,7 @@ mod tests {
         let text = CString::new(path.to_str().unwrap()).unwrap();
         let create = |columns: *const c_char, attributes: *const c_char| {
             let mut out = std::ptr::dangling_mut();
-            let format = from_c(nm_format::NM_FORMAT_AUTO as i32);
+            let format = from_c(Format::Auto as i32);
             // SAFETY: C strings or NULL.
             let status = unsafe {
                 nm_mesh_create_from_columns(text.as_ptr(), format, columns, attributes, &mut out)

@@ -1,8 +1,8 @@
 //! Enums from C: any 32 bits, of which some are a value. A parameter or field that C fills is a
 //! `MaybeUninit` of its enum (cbindgen writes the enum itself).
 
-use super::enums::{nm_filtration, nm_format, nm_interpolation};
-use crate::arrays::Extent;
+use super::enums::{nm_filtration, nm_interpolation};
+use crate::arrays::SelectionExtent;
 use crate::error::{Error, Result, message};
 use crate::io::Format;
 use crate::options;
@@ -12,7 +12,7 @@ use std::fmt::Display;
 use std::mem::MaybeUninit;
 
 /// Returns the format that C asks for in argument `format`.
-pub(super) fn decode_format(raw: MaybeUninit<nm_format>) -> Result<Format> {
+pub(super) fn decode_format(raw: MaybeUninit<Format>) -> Result<Format> {
     let formats = [
         Format::Auto,
         Format::Vtu,
@@ -27,7 +27,7 @@ pub(super) fn decode_format(raw: MaybeUninit<nm_format>) -> Result<Format> {
         Format::VoronoiJson,
         Format::DomainsJson,
         Format::Poly,
-        Format::GeoJson,
+        Format::Geojson,
         Format::Wkt,
         Format::Smesh,
     ];
@@ -42,8 +42,16 @@ pub(super) fn decode_measure(raw: MaybeUninit<Measure>) -> Result<Measure> {
 }
 
 /// Returns the extent of a selection, where NM_EXTENT_AUTO is NM_EXTENT_ALL.
-pub(super) fn decode_extent(argument: &str, raw: MaybeUninit<options::Extent>) -> Result<Extent> {
-    decode(argument, "nm_extent", raw, [Extent::All, Extent::All, Extent::Hull, Extent::Box])
+pub(super) fn decode_extent(
+    argument: &str,
+    raw: MaybeUninit<options::Extent>,
+) -> Result<SelectionExtent> {
+    decode(
+        argument,
+        "nm_extent",
+        raw,
+        [SelectionExtent::All, SelectionExtent::All, SelectionExtent::Hull, SelectionExtent::Box],
+    )
 }
 
 /// Returns true for [`nm_filtration::NM_FILTRATION_MESH`].
@@ -113,7 +121,15 @@ mod tests {
         }
         assert!(decode_extent("extent", from_c(4)).is_err());
         let extents = [0, 1, 2, 3].map(|value| decode_extent("extent", from_c(value)).unwrap());
-        assert_eq!(extents, [Extent::All, Extent::All, Extent::Hull, Extent::Box]);
+        assert_eq!(
+            extents,
+            [
+                SelectionExtent::All,
+                SelectionExtent::All,
+                SelectionExtent::Hull,
+                SelectionExtent::Box
+            ]
+        );
         for kind in [VertexKind::Input, VertexKind::Steiner, VertexKind::Cage] {
             assert_eq!(vertex_kind_byte(kind), kind as u8);
         }

@@ -8,9 +8,9 @@ use crate::error::ErrorKind;
 use crate::mesh::VertexKind;
 use crate::topology::FaceClass;
 
-/// Status that every fallible function answers. Values are fixed; later versions only append. Whatever is
-/// not NM_OK also sets the calling thread's message (nm_last_error), and leaves the mesh and all
-/// buffers as they were unless the function's description says otherwise.
+/// Status that every fallible function answers. Values are fixed; later versions only append.
+/// Whatever is not NM_OK also sets the calling thread's message (nm_last_error), and leaves the
+/// mesh and all buffers as they were unless the function's description says otherwise.
 /// cbindgen:rename-all=none
 #[allow(non_camel_case_types)]
 #[repr(i32)]
@@ -197,56 +197,6 @@ pub enum nm_intersection_kind {
     NM_INTERSECTION_OVERLAP = 2,
     /// The facet, or a triangle of it, has no area; both features are that facet.
     NM_INTERSECTION_ZERO_AREA = 3,
-}
-
-/// File formats; docs/formats.md tells what each contains. Point formats (XYZ, CSV, NPY) can be
-/// written before a run, the others answer NM_STATE. A format that cannot hold the mesh's dimension
-/// answers NM_INVALID_ARGUMENT. VTU and the two JSON formats cannot be read. Of the others the
-/// points are read.
-/// cbindgen:rename-all=none
-#[allow(non_camel_case_types)]
-#[repr(i32)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum nm_format {
-    /// Format that the extension of the path names: .vtu, .node and .ele, .msh, .mesh, .off, .ply, .xyz (.txt,
-    /// .xy, .pts), .csv, .npy, .poly, .smesh, .geojson, .wkt, .voronoi.json, .domains.json.
-    NM_FORMAT_AUTO = 0,
-    /// VTK XML unstructured grid (.vtu), for ParaView and VTK, with arrays per point and per cell.
-    /// Dimensions 2 and 3.
-    NM_FORMAT_VTU = 1,
-    /// TetGen and Triangle: points (.node) and simplices (.ele).
-    NM_FORMAT_TETGEN_NODE = 2,
-    /// Gmsh 4.1 as text (.msh); versions 4.1 and 2 are read, as text. Dimensions 2 and 3.
-    NM_FORMAT_GMSH = 3,
-    /// Medit as text (.mesh). Dimensions 2 and 3.
-    NM_FORMAT_MEDIT = 4,
-    /// Object file format (.off), nOFF from dimension 3 on.
-    NM_FORMAT_OFF = 5,
-    /// Polygon file format (.ply): the triangles of a planar mesh, the boundary of one in dimension
-    /// 3.
-    NM_FORMAT_PLY = 6,
-    /// Points as text, one per line, separated by spaces (.xyz).
-    NM_FORMAT_XYZ = 7,
-    /// Points as text, one per line, separated by commas (.csv).
-    NM_FORMAT_CSV = 8,
-    /// Points as a NumPy array of shape points x dim (.npy).
-    NM_FORMAT_NPY = 9,
-    /// The Voronoi diagram of the vertices as JSON (.voronoi.json).
-    NM_FORMAT_VORONOI_JSON = 10,
-    /// The hierarchy of domains with their cages as JSON (.domains.json).
-    NM_FORMAT_DOMAINS_JSON = 11,
-    /// Triangle's points, segments, holes and regions of the plane, or TetGen's points, facets,
-    /// holes and regions of space, read only (.poly); the points may be in the .node file beside.
-    NM_FORMAT_POLY = 12,
-    /// GeoJSON (RFC 7946): points, lines and polygons of the plane, read only (.geojson). Lines and
-    /// rings are segments; their marker is the number of the feature, from 1. A third coordinate
-    /// must be 0.
-    NM_FORMAT_GEOJSON = 13,
-    /// Well-known text: geometries of the plane, one after another, read only (.wkt). As of
-    /// NM_FORMAT_GEOJSON; the marker is the number of the geometry, from 1.
-    NM_FORMAT_WKT = 14,
-    /// TetGen's points, facets of one polygon each, holes and regions, read only (.smesh).
-    NM_FORMAT_SMESH = 15,
 }
 
 /// Returns the byte of a placement at the boundary.

@@ -2,7 +2,7 @@
 
 use super::arrays::read_selection;
 use super::decode::decode_format;
-use super::enums::{nm_format, nm_status};
+use super::enums::nm_status;
 use super::environment::Environment;
 use super::error::null_argument;
 use super::getters::result;
@@ -47,7 +47,7 @@ pub type nm_write_fn =
 pub unsafe extern "C" fn nm_export(
     mesh: *const nm_mesh,
     path_utf8: *const c_char,
-    format: MaybeUninit<nm_format>,
+    format: MaybeUninit<Format>,
 ) -> nm_status {
     // SAFETY: the caller's promises are the same; NULL selects all.
     unsafe { nm_export_selected(mesh, null(), path_utf8, format) }
@@ -66,7 +66,7 @@ pub unsafe extern "C" fn nm_export(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn nm_export_write(
     mesh: *const nm_mesh,
-    format: MaybeUninit<nm_format>,
+    format: MaybeUninit<Format>,
     write: nm_write_fn,
     user_data: *mut c_void,
 ) -> nm_status {
@@ -75,7 +75,8 @@ pub unsafe extern "C" fn nm_export_write(
 }
 
 /// Writes a selection to a file as nm_export does: its simplices and their vertices, numbered anew,
-/// and the numbers of domains as they are. NM_FORMAT_DOMAINS_JSON takes no selection (NM_INVALID_ARGUMENT).
+/// and the numbers of domains as they are. NM_FORMAT_DOMAINS_JSON takes no selection
+/// (NM_INVALID_ARGUMENT).
 ///
 /// selection: NULL for all.
 ///
@@ -85,7 +86,7 @@ pub unsafe extern "C" fn nm_export_selected(
     mesh: *const nm_mesh,
     selection: *const nm_selection,
     path_utf8: *const c_char,
-    format: MaybeUninit<nm_format>,
+    format: MaybeUninit<Format>,
 ) -> nm_status {
     let body = |mesh: &Mesh, attributes: &[Attribute]| {
         // SAFETY: the caller gave NULL or a C string.
@@ -104,7 +105,7 @@ pub unsafe extern "C" fn nm_export_selected(
 pub unsafe extern "C" fn nm_export_write_selected(
     mesh: *const nm_mesh,
     selection: *const nm_selection,
-    format: MaybeUninit<nm_format>,
+    format: MaybeUninit<Format>,
     write: nm_write_fn,
     user_data: *mut c_void,
 ) -> nm_status {
@@ -129,7 +130,7 @@ pub unsafe extern "C" fn nm_export_write_selected(
 unsafe fn with_selected(
     mesh: *const nm_mesh,
     selection: *const nm_selection,
-    format: MaybeUninit<nm_format>,
+    format: MaybeUninit<Format>,
     body: impl FnOnce(&Mesh, &[Attribute]) -> Result<()>,
 ) -> nm_status {
     // SAFETY: the caller's promise.

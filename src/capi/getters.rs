@@ -306,14 +306,14 @@ mod tests {
     #[test]
     fn what_a_file_has_beside_its_points_is_told() {
         use crate::capi::create::{nm_mesh_create_from_file, nm_mesh_free};
-        use crate::capi::enums::nm_format;
         use crate::capi::test_support::from_c;
+        use crate::io::Format;
         let name = format!("netmesh-{}-left-out.off", std::process::id());
         let path = std::env::temp_dir().join(name);
         std::fs::write(&path, "nOFF\n2\n3 2 0\n0 0\n1 0\n0 1\n3 0 1 2\n2 0 1\n").unwrap();
         let text = std::ffi::CString::new(path.to_str().unwrap()).unwrap();
         let mut mesh = null_mut();
-        let format = from_c(nm_format::NM_FORMAT_AUTO as i32);
+        let format = from_c(Format::Auto as i32);
         // SAFETY: a C string, and room for a handle.
         let status = unsafe { nm_mesh_create_from_file(text.as_ptr(), format, &mut mesh) };
         std::fs::remove_file(&path).unwrap();

@@ -80,8 +80,8 @@ pub(super) unsafe fn read_struct<T: Versioned>(
         // SAFETY: `offset < size`, the number of readable bytes.
         if unsafe { pointer.cast::<u8>().add(offset).read() } != 0 {
             let message = message!(
-                "{argument}.struct_size is {size}, this version knows {known} bytes, and byte {offset} \
-                 is not zero: a newer field is in use"
+                "{argument}.struct_size is {size}, this version knows {known} bytes, and byte \
+                 {offset} is not zero: a newer field is in use"
             );
             return Err(Error::invalid(message));
         }

@@ -86,8 +86,8 @@ pub use boundary::{
 };
 pub use create::{nm_mesh_create, nm_mesh_create_from_file, nm_mesh_free};
 pub use enums::{
-    nm_face_class, nm_feature, nm_filtration, nm_format, nm_interpolation, nm_intersection_kind,
-    nm_placement, nm_status, nm_vertex_kind,
+    nm_face_class, nm_feature, nm_filtration, nm_interpolation, nm_intersection_kind, nm_placement,
+    nm_status, nm_vertex_kind,
 };
 pub use error::nm_last_error;
 pub use export::{

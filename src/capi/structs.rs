@@ -8,8 +8,8 @@ use crate::validate::ViolationKind;
 use std::ffi::{c_char, c_void};
 use std::mem::MaybeUninit;
 
-/// Selection of simplices of a mesh: those that fulfil all conditions. Begin with NM_SELECTION_INIT, which
-/// selects all.
+/// Selection of simplices of a mesh: those that fulfil all conditions. Begin with
+/// NM_SELECTION_INIT, which selects all.
 #[allow(non_camel_case_types)]
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -298,8 +298,8 @@ pub struct nm_domain {
 pub struct nm_alpha_shape {
     /// Set by the caller to sizeof(nm_alpha_shape).
     pub struct_size: u32,
-    /// Number of known elements of betti: 2 in 2D, 3 in 3D, 0 in other dimensions, whose homology takes a
-    /// program that computes persistence (nm_export_filtration).
+    /// Number of known elements of betti: 2 in 2D, 3 in 3D, 0 in other dimensions, whose homology
+    /// takes a program that computes persistence (nm_export_filtration).
     pub betti_count: u32,
     /// The volume of its simplices (an area in 2D), in the unit of the coordinates to the power
     /// dim. Relative error at most 1e-12.
@@ -368,8 +368,8 @@ pub struct nm_quality {
     /// Tetrahedra with a dihedral angle below nm_options.min_dihedral and all vertices in one
     /// domain, those at the hull included. 0 where no angle was asked for.
     pub below_min_dihedral: u64,
-    /// Tetrahedra with a smaller dihedral angle and vertices of several domains, which fill the gaps
-    /// beside cages: min_dihedral says nothing of them.
+    /// Tetrahedra with a smaller dihedral angle and vertices of several domains, which fill the
+    /// gaps beside cages: min_dihedral says nothing of them.
     pub below_min_dihedral_between_domains: u64,
     /// Cells with a larger aspect, or simplices with a larger ratio, than the bound, where it gave
     /// way to the angle (NM_GIVES_WAY_BOUND). The figures above have them.

@@ -3,96 +3,53 @@
 use crate::error::{Error, Result, message};
 use std::path::Path;
 
-/// File formats, with the C ABI's values. `docs/formats.md` has them all in one table.
+/// File formats; docs/formats.md tells what each contains. Point formats (XYZ, CSV, NPY) can be
+/// written before a run; the others are refused then (NM_STATE in C), and so is a format that cannot
+/// hold the mesh's dimension (NM_INVALID_ARGUMENT). VTU and the two JSON formats cannot be read. Of
+/// the others the points are read.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(i32)]
 pub enum Format {
-    /// Format that the file's extension names.
+    /// Format that the extension of the path names: .vtu, .node and .ele, .msh, .mesh, .off, .ply,
+    /// .xyz (.txt, .xy, .pts), .csv, .npy, .poly, .smesh, .geojson, .wkt, .voronoi.json,
+    /// .domains.json.
     #[default]
     Auto = 0,
-    /// VTK's XML unstructured grid, for ParaView: triangles (z = 0) or tetrahedra as appended raw
-    /// little-endian binary. Dimensions 2 and 3; cannot be read.
-    ///
-    /// Per point: `kind` ([`crate::VertexKind`]), `domain` (index, or [`crate::NONE`]), `input`
-    /// (the first input that is this vertex, or [`crate::NONE`]), `precision_limited` (0 or 1) and
-    /// `aspect` (of the Voronoi cell, over all its corners; NaN on the hull, where cells are
-    /// unbounded, and for the vertices of cages). Per cell: `cell_domain` (the innermost domain
-    /// that holds all vertices, or [`crate::NONE`]) and `radius_edge` (circumradius over shortest
-    /// edge). With segments, `region` per cell (the label), and beside points and cells `segments`
-    /// (two points for each edge of one) and `segment_markers`.
+    /// VTK XML unstructured grid (.vtu), for ParaView and VTK, with arrays per point and per cell.
+    /// Dimensions 2 and 3.
     Vtu = 1,
-    /// TetGen's (3D) and Triangle's (2D) `.node` and `.ele`, continued to any dimension.
-    ///
-    /// Written with ids from 0 and [`crate::VertexKind`] as the boundary marker. Read: ids from 0
-    /// or 1; attributes and markers are checked, and dropped where they are not asked for. Where
-    /// the path ends with `.ele` the points are in its `.node` sibling.
+    /// TetGen and Triangle: points (.node) and simplices (.ele).
     TetgenNode = 2,
-    /// Gmsh's `.msh`, version 4.1 as text: triangles (z = 0) or tetrahedra in one entity and one
-    /// physical group, `kind` as node data and `domain` (VTU's `cell_domain`, 0 without domains) as
-    /// element data. With segments, a physical group for each label and marker, with the edges as
-    /// lines. Dimensions 2 and 3.
-    ///
-    /// Read: the nodes of versions 4.1 and 2, as text. A node has three coordinates; where every z
-    /// is zero the points are of dimension 2.
+    /// Gmsh 4.1 as text (.msh); versions 4.1 and 2 are read, as text. Dimensions 2 and 3.
     Gmsh = 3,
-    /// Medit's `.mesh`: vertices with [`crate::VertexKind`] as reference, triangles or tetrahedra
-    /// with their domain (as in [`Format::Gmsh`]). Dimensions 2 and 3. Read: the vertices;
-    /// references are checked and dropped, other fields are skipped.
+    /// Medit as text (.mesh). Dimensions 2 and 3.
     Medit = 4,
-    /// In the plane `OFF`, with z = 0 and triangles, which every viewer opens (and which reads back
-    /// as points of dimension 3, the dimension of `OFF`). In dimension d >= 3 `nOFF`: d, the
-    /// counts, the vertices, then the simplices as cells of d + 1 indices; tetrahedra are not
-    /// polygons, and an `OFF` that lists them as such would be read wrongly.
-    ///
-    /// Read: the vertices of `OFF` and `nOFF`, one per line. The faces of `OFF` are facets, those of
-    /// two vertices segments; those of `nOFF` are checked and left out.
+    /// Object file format (.off), nOFF from dimension 3 on.
     Off = 5,
-    /// Stanford's `.ply`, little-endian binary with doubles: the vertices with `kind` and `domain`,
-    /// and triangles. In the plane these are the mesh (z = 0); in dimension 3 they are the mesh's
-    /// boundary, as the format has no tetrahedra. Dimensions 2 and 3.
-    ///
-    /// Read: `x`, `y` and, where it is there, `z` of the element `vertex` (so a planar mesh reads
-    /// back as points of dimension 3), from text and binary of either byte order, and in space the
-    /// list `vertex_indices` or `vertex_index` of the element `face` as facets; all else that is
-    /// not asked for is checked as far as its size goes and dropped.
+    /// Polygon file format (.ply): the triangles of a planar mesh, the boundary of one in dimension
+    /// 3.
     Ply = 6,
-    /// Text points, one per line, separated by whitespace or commas, but not by both in one line
-    /// (a decimal comma would read so). The first point's number of columns is the dimension. A
-    /// first line may be the number of points, as in `.pts` files; there columns beyond three are
-    /// intensity and colour.
+    /// Points as text, one per line, separated by spaces (.xyz).
     Xyz = 7,
-    /// Comma-separated points. A first line without any number is a header. Where it names the
-    /// columns `x` and `y` (in either case), these and a column `z` are the coordinates; otherwise
-    /// `x0`, `x1` and so on, as [`crate::io::write()`] names them; otherwise all columns, without a
-    /// last one called `kind`. Other columns may hold anything. A field may stand between quotes,
-    /// with commas in it; a quote in it is written twice.
+    /// Points as text, one per line, separated by commas (.csv).
     Csv = 8,
-    /// NumPy's `.npy`, an array of shape (points, dim). Written as version 1.0, `<f8`, C order;
-    /// with attributes as a structured array of the fields `points`, `kind` and the attributes.
-    /// Read: versions 1.0 to 3.0, doubles and floats of either byte order, C and Fortran order;
-    /// structured arrays too, whose fields name the coordinates as the header of [`Format::Csv`]
-    /// does, or are called `points`.
+    /// Points as a NumPy array of shape points x dim (.npy).
     Npy = 9,
-    /// The Voronoi diagram of the vertices, dual to the mesh, as JSON (`.voronoi.json`). Any
-    /// dimension; cannot be read. `docs/formats.md` has the fields.
+    /// The Voronoi diagram of the vertices as JSON (.voronoi.json).
     VoronoiJson = 10,
-    /// The hierarchy of domains and their cages as JSON (`.domains.json`). Any dimension; cannot be
-    /// read. `docs/formats.md` has the fields.
+    /// The hierarchy of domains with their cages as JSON (.domains.json).
     DomainsJson = 11,
-    /// `.poly` of Triangle (points and segments of the plane) and of TetGen (points and facets of
-    /// space), with holes and regions. Ids from 0 or 1; where it promises no points, they are in
-    /// the `.node` file beside. A region's label is a whole number, its largest area or volume
-    /// becomes the edge of the equilateral triangle or regular tetrahedron of that measure. Cannot
-    /// be written.
+    /// Triangle's points, segments, holes and regions of the plane, or TetGen's points, facets,
+    /// holes and regions of space, read only (.poly); the points may be in the .node file beside.
     Poly = 12,
-    /// GeoJSON (RFC 7946): points, lines and polygons of the plane, each position as an input and
-    /// each line between two as a segment, whose marker is the number of its feature, from 1. A
-    /// third coordinate must be 0. Cannot be written.
-    GeoJson = 13,
-    /// Well-known text (OGC 06-103r4): geometries one after another, as of [`Format::GeoJson`]; the
-    /// marker is the number of the geometry, from 1. Z and M are refused. Cannot be written.
+    /// GeoJSON (RFC 7946): points, lines and polygons of the plane, read only (.geojson). Lines and
+    /// rings are segments; their marker is the number of the feature, from 1. A third coordinate
+    /// must be 0.
+    Geojson = 13,
+    /// Well-known text: geometries of the plane, one after another, read only (.wkt). As of
+    /// [`Format::Geojson`]; the marker is the number of the geometry, from 1.
     Wkt = 14,
-    /// TetGen's `.smesh`: as its `.poly`, with facets of one polygon each. Cannot be written.
+    /// TetGen's points, facets of one polygon each, holes and regions, read only (.smesh).
     Smesh = 15,
 }
 
@@ -116,7 +73,7 @@ impl Format {
             Some("domains.json") => Ok(Self::DomainsJson),
             Some("poly") => Ok(Self::Poly),
             Some("smesh") => Ok(Self::Smesh),
-            Some("geojson") => Ok(Self::GeoJson),
+            Some("geojson") => Ok(Self::Geojson),
             Some("wkt") => Ok(Self::Wkt),
             _ => Err(Error::invalid(message!(
                 "{}: the extension names no known format; name one, or use .vtu, .node, .ele, \
@@ -144,7 +101,7 @@ impl Format {
             Self::DomainsJson => "the hierarchy of domains",
             Self::Poly => "Triangle's and TetGen's .poly",
             Self::Smesh => "TetGen's .smesh",
-            Self::GeoJson => "GeoJSON",
+            Self::Geojson => "GeoJSON",
             Self::Wkt => "WKT",
         }
     }
@@ -161,7 +118,7 @@ impl Format {
             | Self::DomainsJson
             | Self::Poly
             | Self::Smesh
-            | Self::GeoJson
+            | Self::Geojson
             | Self::Wkt => false,
         }
     }
@@ -185,7 +142,7 @@ impl Format {
             Error::invalid(message)
         })?;
         match resolved {
-            Self::Poly | Self::Smesh | Self::GeoJson | Self::Wkt => {
+            Self::Poly | Self::Smesh | Self::Geojson | Self::Wkt => {
                 Err(resolved.read_only().within(&path.display()))
             }
             _ => Ok(resolved),

@@ -6,7 +6,7 @@
 //! | [`Format::TetgenNode`] | `.node`, `.ele` | points | mesh |
 //! | [`Format::Poly`] | `.poly` | points, segments (d = 2), facets (d = 3), regions | |
 //! | [`Format::Smesh`] | `.smesh` | points, facets, regions, d = 3 | |
-//! | [`Format::GeoJson`] | `.geojson` | points, segments, d = 2 | |
+//! | [`Format::Geojson`] | `.geojson` | points, segments, d = 2 | |
 //! | [`Format::Wkt`] | `.wkt` | points, segments, d = 2 | |
 //! | [`Format::Gmsh`] | `.msh` | points, d = 2, 3 | mesh, d = 2, 3 |
 //! | [`Format::Medit`] | `.mesh` | points, d = 2, 3 | mesh, d = 2, 3 |
@@ -246,7 +246,7 @@ fn read_named(
         choice.coordinates.require_none(format.name())?;
     }
     let has_points_alone = matches!(format, Format::Gmsh | Format::Medit | Format::Off);
-    if has_points_alone || matches!(format, Format::GeoJson | Format::Wkt) {
+    if has_points_alone || matches!(format, Format::Geojson | Format::Wkt) {
         choice.attributes.require_none(format.name())?;
     }
     let mut table = match format {
@@ -262,7 +262,7 @@ fn read_named(
             };
             poly::read(text::Lines::new(input), grammar, &choice.attributes, path)
         }
-        Format::GeoJson => geojson::read(input),
+        Format::Geojson => geojson::read(input),
         Format::Wkt => wkt::read(input),
         Format::Gmsh => gmsh::read(text::Lines::new(input)),
         Format::Medit => medit::read(text::Lines::new(input)),
@@ -434,7 +434,7 @@ impl<'a> Content<'a> {
             Format::Npy => Ok(Self::Npy(mesh, attributes)),
             Format::VoronoiJson => Ok(Self::Voronoi(mesh, triangulation()?)),
             Format::DomainsJson => triangulation().map(Self::Domains),
-            Format::Poly | Format::Smesh | Format::GeoJson | Format::Wkt => Err(format.read_only()),
+            Format::Poly | Format::Smesh | Format::Geojson | Format::Wkt => Err(format.read_only()),
         }
     }
 

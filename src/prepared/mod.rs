@@ -8,7 +8,7 @@ mod kept;
 mod tests;
 
 use crate::arrays::{
-    Arrays, ConvexHull, Extent, Group, Part, Placement, Selection, placements_in_box,
+    Arrays, ConvexHull, Group, Part, Placement, Selection, SelectionExtent, placements_in_box,
 };
 use crate::error::{ErrorKind, Result};
 use crate::memory::{filled, with_capacity};
@@ -105,12 +105,12 @@ impl Prepared {
     }
 
     /// Returns exactly how each simplex lies with respect to the hull or the bounding box of the
-    /// inputs; empty for [`Extent::All`]. For the hull, the first call makes a Delaunay
+    /// inputs; empty for [`SelectionExtent::All`]. For the hull, the first call makes a Delaunay
     /// triangulation of the inputs that may be on it, and tests the simplices along it.
     ///
     /// # Errors
     /// `State` before a run, `OutOfMemory`.
-    pub fn placements(&self, mesh: &Mesh, extent: Extent) -> Result<&[Placement]> {
+    pub fn placements(&self, mesh: &Mesh, extent: SelectionExtent) -> Result<&[Placement]> {
         let (result, inputs) = (mesh.result()?, mesh.inputs());
         let points = || &result.points[..inputs.distinct() * inputs.dim()];
         // Places are found by walks through all of a hull, whose first simplices the result has.
@@ -121,17 +121,17 @@ impl Prepared {
         };
         let is_within = match result.parameters.extent {
             options::Extent::Hull | options::Extent::Boundary => true,
-            options::Extent::Box => extent == Extent::Box,
+            options::Extent::Box => extent == SelectionExtent::Box,
             _ => false,
         };
         let all_inside = || Ok(filled(result.simplex_count(), Placement::Inside)?);
         match extent {
-            Extent::All => Ok(&[]),
-            Extent::Box => Ok(self.in_box.get_or_make(|| match is_within {
+            SelectionExtent::All => Ok(&[]),
+            SelectionExtent::Box => Ok(self.in_box.get_or_make(|| match is_within {
                 true => all_inside(),
                 false => placements_in_box(all, points()).map(first),
             })?),
-            Extent::Hull => Ok(self.in_hull.get_or_make(|| {
+            SelectionExtent::Hull => Ok(self.in_hull.get_or_make(|| {
                 if is_within || all.vertex_count() == inputs.distinct() {
                     return all_inside();
                 }

@@ -89,8 +89,8 @@ fn placements_are_right<const D: usize>(count: usize, step: usize) {
             .map(|set: usize| std::array::from_fn(|axis| bound(axis, set >> axis & 1 == 0)))
             .collect();
         corners.dedup();
-        let hull = prepared.placements(mesh, Extent::Hull).unwrap();
-        let within = prepared.placements(mesh, Extent::Box).unwrap();
+        let hull = prepared.placements(mesh, SelectionExtent::Hull).unwrap();
+        let within = prepared.placements(mesh, SelectionExtent::Box).unwrap();
         // Those next to the inputs are where it is hard.
         let is_near = |s: &usize| result.simplex(*s).iter().any(|&v| (v as usize) < inputs.len());
         let near = (0..result.simplex_count()).filter(is_near);
@@ -139,12 +139,13 @@ fn what_is_inside_fills_the_hull() {
         prepared.part(&mesh, &selection).unwrap().volumes().unwrap().iter().sum()
     };
     let hull: f64 = plain.volumes().unwrap().iter().sum();
-    let (inside, touched) = (volume(Extent::Hull, false), volume(Extent::Hull, true));
+    let (inside, touched) =
+        (volume(SelectionExtent::Hull, false), volume(SelectionExtent::Hull, true));
     assert!(0.5 * hull < inside && inside < hull && hull < touched, "{inside} {hull} {touched}");
-    let in_box = volume(Extent::Box, false);
+    let in_box = volume(SelectionExtent::Box, false);
     assert!(inside < in_box && in_box < 8.0, "{inside} {in_box}");
-    assert!(volume(Extent::All, false) > volume(Extent::Box, true));
-    let all = Prepared::default().placements(&plain, Extent::Hull).unwrap().to_vec();
+    assert!(volume(SelectionExtent::All, false) > volume(SelectionExtent::Box, true));
+    let all = Prepared::default().placements(&plain, SelectionExtent::Hull).unwrap().to_vec();
     assert!(all.iter().all(|&placement| placement == Placement::Inside));
 }
 
@@ -166,8 +167,8 @@ fn placements_in_what_is_cut_out_are_those_of_brute_force() {
             assert_eq!(result.boundary.whole.is_some(), is_cut);
             let prepared = Prepared::default();
             let corners = [[0.0, 0.0], [4.5, 0.0], [4.5, 4.0], [0.0, 4.0]];
-            let hull = prepared.placements(&mesh, Extent::Hull).unwrap();
-            let within = prepared.placements(&mesh, Extent::Box).unwrap();
+            let hull = prepared.placements(&mesh, SelectionExtent::Hull).unwrap();
+            let within = prepared.placements(&mesh, SelectionExtent::Box).unwrap();
             for simplex in 0..result.simplex_count() {
                 let vertices: Vec<[f64; 2]> = result
                     .simplex(simplex)
@@ -212,7 +213,7 @@ fn a_flat_hull_has_nothing_inside() {
     for inputs in [tilted, line] {
         let mesh = meshed(&inputs, &Options::default()).unwrap();
         let (prepared, result) = (Prepared::default(), mesh.triangulation().unwrap());
-        let found = prepared.placements(&mesh, Extent::Hull).unwrap();
+        let found = prepared.placements(&mesh, SelectionExtent::Hull).unwrap();
         for (simplex, &placement) in found.iter().enumerate() {
             let vertices = result.simplex(simplex).iter();
             let vertices: Vec<[f64; 3]> =

@@ -32,24 +32,20 @@ impl Workbench {
         fs::write(path, text).expect("the test file can be written");
     }
 
-    #[allow(dead_code)] // not every test file reads outputs
     pub fn bytes(&self, name: &str) -> Vec<u8> {
         fs::read(self.directory.join(name)).expect("the output can be read")
     }
 
     /// Text, or what of a binary file is text.
-    #[allow(dead_code)] // not every test file reads outputs
     pub fn read(&self, name: &str) -> String {
         String::from_utf8_lossy(&self.bytes(name)).into_owned()
     }
 
-    #[allow(dead_code)] // not every test file needs another program
     pub fn directory(&self) -> &Path {
         &self.directory
     }
 
     /// Names of all files, sorted.
-    #[allow(dead_code)] // not every test file looks at what is there
     pub fn files(&self) -> Vec<String> {
         let entries = fs::read_dir(&self.directory).expect("the test directory can be listed");
         let mut names: Vec<String> = entries
@@ -60,13 +56,11 @@ impl Workbench {
     }
 
     /// Runs `netmesh` in the directory with the words of `line`.
-    #[allow(dead_code)] // not every test file does only that
     pub fn run(&self, line: &str) -> Outcome {
         Outcome::new(&self.command(line).output().expect("the program starts"))
     }
 
     /// Runs the program with `text` on standard input.
-    #[allow(dead_code)] // not every test file has something for standard input
     pub fn run_with_input(&self, line: &str, text: &str) -> Outcome {
         self.write("standard input", text);
         let input = fs::File::open(self.directory.join("standard input")).expect("it is there");
@@ -93,7 +87,6 @@ impl Outcome {
     }
 
     /// The run must have failed with `code`, said `words` on stderr and nothing on stdout.
-    #[allow(dead_code)] // not every test file tests failures
     #[track_caller]
     pub fn assert_failure(&self, code: i32, words: &[&str]) {
         assert_eq!(self.code, code, "stderr: {}", self.stderr);
@@ -103,7 +96,6 @@ impl Outcome {
         }
     }
 
-    #[allow(dead_code)] // not every test file tests successes
     #[track_caller]
     pub fn assert_success(&self) {
         assert_eq!(self.code, 0, "stderr: {}", self.stderr);

@@ -136,7 +136,7 @@ fn own_partitions<const D: usize>(
     }
     let mut pieces = with_capacity(owned.len())?;
     for (&partition, own) in owned.iter().zip(inputs) {
-        let (mut piece, simplices) = coarse.cut(partition_of, partition as u32)?;
+        let (mut piece, simplices) = coarse.extract(partition_of, partition as u32)?;
         let mut distinct = collected(own.iter().map(|(input, _)| *input))?;
         keep_distinct(&mut distinct);
         let mut located: Vec<(u64, u32)> =

@@ -169,7 +169,7 @@ fn exchange<const D: usize>(
     let own = agreed(comm, || {
         let mut own = filled(count, 0u64)?;
         for seam in seams {
-            for (partition, piece) in seam.cut_apart(bisection)? {
+            for (partition, piece) in seam.partition(bisection)? {
                 own[partition as usize] += piece.simplex_count() as u64;
                 kept.try_push((partition, piece))?;
             }

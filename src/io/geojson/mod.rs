@@ -302,7 +302,7 @@ mod tests {
     use super::*;
 
     fn read(text: &str) -> Result<Table> {
-        read_table(&mut text.as_bytes(), Format::GeoJson, &Choice::default())
+        read_table(&mut text.as_bytes(), Format::Geojson, &Choice::default())
     }
 
     fn segments(text: &str) -> Vec<([u32; 2], i32)> {

@@ -15,7 +15,7 @@ use crate::netmesh::state::hierarchy::{DomainId, Hierarchy};
 use crate::netmesh::state::interface::Interface;
 use crate::netmesh::state::order::by_locality;
 use crate::netmesh::state::refine_list::RefineList;
-use crate::netmesh::state::segments::Segments;
+use crate::netmesh::state::segments::SegmentState;
 use crate::netmesh::state::watch::Watch;
 use crate::netmesh::state::{Cell, Mesher, Stage, State};
 use crate::options::Output;
@@ -122,7 +122,7 @@ impl<const D: usize> Assembly<D> {
             hierarchy,
             conflict_lists,
             refine_list: RefineList::new()?,
-            segments: Segments::default(),
+            segments: SegmentState::default(),
             facets: Facets::default(),
             interface,
             stage: Stage::of_insertion(parameters.loose_bound()),

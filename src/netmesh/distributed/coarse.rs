@@ -147,12 +147,12 @@ impl<const D: usize> Coarse<D> {
         self.piece.parts(cut)
     }
 
-    /// Returns partition `partition` as a piece, without inputs that wait ([`Piece::add_inputs`]),
+    /// Extracts partition `partition` as a piece, without inputs that wait ([`Piece::add_inputs`]),
     /// and the ids that its simplices had: `ids[i]` is that of simplex i.
     ///
     /// # Errors
     /// `OutOfMemory`.
-    pub fn cut(&self, partition_of: &[u32], partition: u32) -> Result<(Piece<D>, Vec<u32>)> {
+    pub fn extract(&self, partition_of: &[u32], partition: u32) -> Result<(Piece<D>, Vec<u32>)> {
         let is_selected = collected(partition_of.iter().map(|&of| of == partition))?;
         let mut piece = self.piece.select(&is_selected, || Ok(()))?;
         piece.set_outer()?;

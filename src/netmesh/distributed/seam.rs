@@ -67,12 +67,12 @@ impl<const D: usize> Piece<D> {
         Ok((self.select(&is_out, &mut tick)?, out))
     }
 
-    /// Divides the piece by where `cut` has the middle of each simplex. Each part with its number,
-    /// in rising order.
+    /// Partitions the piece by where `cut` has the middle of each simplex; returns each part with
+    /// its number, in rising order.
     ///
     /// # Errors
     /// `OutOfMemory`.
-    pub fn cut_apart(mut self, cut: &Bisection<D>) -> Result<Vec<(u32, Self)>> {
+    pub fn partition(mut self, cut: &Bisection<D>) -> Result<Vec<(u32, Self)>> {
         let part_of = self.parts(cut)?;
         for (at, &neighbor) in self.neighbors.iter().enumerate() {
             let simplex = at / Self::PER_SIMPLEX;

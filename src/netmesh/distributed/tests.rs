@@ -81,7 +81,7 @@ fn run<const D: usize>(
     let mut made = Vec::new();
     let partition_of = coarse.partitions(&Bisection::new(own, count, 0).unwrap()).unwrap();
     for partition in 0..count as u32 {
-        let (mut piece, ids) = coarse.cut(&partition_of, partition).unwrap();
+        let (mut piece, ids) = coarse.extract(&partition_of, partition).unwrap();
         let inputs: Vec<_> = located
             .iter()
             .filter(|&&(_, simplex)| partition_of[simplex as usize] == partition)
@@ -99,7 +99,7 @@ fn run<const D: usize>(
         let count = if phase < 4 { count } else { 1 };
         let cut = Bisection::new(vertices.collect(), count, phase).unwrap();
         let mut next: Vec<Vec<Piece<D>>> = (0..count).map(|_| Vec::new()).collect();
-        for (part, seam) in seams.drain(..).flat_map(|seam| seam.cut_apart(&cut).unwrap()) {
+        for (part, seam) in seams.drain(..).flat_map(|seam| seam.partition(&cut).unwrap()) {
             next[part as usize].push(seam);
         }
         let mut made = Vec::new();
@@ -289,7 +289,7 @@ fn half_of_coarse() -> Piece<3> {
     let names: Vec<u64> = (0..600).collect();
     let coarse = Coarse::new(&points, &names, 0, &Options::default(), None).unwrap();
     let partition_of = coarse.partitions(&Bisection::new(points, 2, 0).unwrap()).unwrap();
-    coarse.cut(&partition_of, 1).unwrap().0
+    coarse.extract(&partition_of, 1).unwrap().0
 }
 
 #[test]

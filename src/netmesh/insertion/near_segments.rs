@@ -4,7 +4,7 @@ use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::Cavity;
 use crate::memory::{AllocResult, TryGrow};
 use crate::netmesh::state::State;
-use crate::netmesh::state::segments::Segments;
+use crate::netmesh::state::segments::SegmentState;
 use crate::numerics::in_diametral_ball;
 
 impl<const D: usize> State<D> {
@@ -15,7 +15,7 @@ impl<const D: usize> State<D> {
         cavity: &Cavity,
     ) -> AllocResult<bool> {
         let State { delaunay, segments, .. } = self;
-        let Segments { chains, encroached, crossed, .. } = segments;
+        let SegmentState { chains, encroached, crossed, .. } = segments;
         encroached.clear();
         crossed.clear();
         for &simplex in &cavity.simplices {
@@ -65,7 +65,7 @@ impl<const D: usize> State<D> {
             }
             self.segments.chains.wait(subsegment)?;
         }
-        let Segments { chains, regions, crossed, .. } = &mut self.segments;
+        let SegmentState { chains, regions, crossed, .. } = &mut self.segments;
         for &subsegment in crossed.iter() {
             chains.wait_although_limited(subsegment)?;
         }

@@ -7,7 +7,7 @@ use crate::memory::{AllocResult, TryGrow};
 use crate::mesh;
 use crate::netmesh::state::hierarchy::{DomainId, ROOT};
 use crate::netmesh::state::segments::chain::Subsegment;
-use crate::netmesh::state::segments::{At, Crowded, Segments, name_of};
+use crate::netmesh::state::segments::{At, Crowded, SegmentState, name_of};
 use crate::netmesh::state::{Mesher, State};
 use crate::numerics::{distance, in_diametral_ball};
 
@@ -24,8 +24,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Splits subsegments until all that wait are recovered.
     ///
     /// # Errors
-    /// `Limit` where doubles have no room for a chain; [`Segments::crowded`] has the points where
-    /// segments had to go through a common vertex.
+    /// `Limit` where doubles have no room for a chain; [`SegmentState::crowded`] has the points
+    /// where segments had to go through a common vertex.
     pub(in crate::netmesh) fn recover_segments(&mut self, cavity: &mut Cavity) -> Result<()> {
         while let Some(subsegment) = self.state.segments.chains.next() {
             self.recover(subsegment, cavity)?;
@@ -147,7 +147,7 @@ impl<const D: usize> State<D> {
         let Subsegment { ends, line, .. } = own;
         if !may_stay {
             let (_, x) = self.splitting_point(&own);
-            let State { delaunay, segments: Segments { chains, .. }, .. } = self;
+            let State { delaunay, segments: SegmentState { chains, .. }, .. } = self;
             let vertex = delaunay.vertex_at(delaunay.complex().incident(ends[0]), &x);
             let beside = vertex.and_then(|vertex| chains.line_at(vertex));
             let segment_of = |line: u32| chains.lines[line as usize].segment;
@@ -185,8 +185,8 @@ impl<const D: usize> State<D> {
         let name = name_of(segment);
         let other = beside.filter(|&other| other != segment).map_or("a vertex".into(), name_of);
         let message = message!(
-            "{name} passes {other} so closely near ({x:?}, {y:?}) that doubles have no room for its \
-             subsegments"
+            "{name} passes {other} so closely near ({x:?}, {y:?}) that doubles have no room for \
+             its subsegments"
         );
         Error::new(ErrorKind::Limit, message)
     }

@@ -8,7 +8,7 @@ use crate::netmesh::partitions::partition::Partition;
 use crate::netmesh::state::facets::Facets;
 use crate::netmesh::state::interface::Interface;
 use crate::netmesh::state::refine_list::RefineList;
-use crate::netmesh::state::segments::Segments;
+use crate::netmesh::state::segments::SegmentState;
 use crate::netmesh::state::workers::on_threads_with_ticks;
 use crate::netmesh::state::{Mesher, Stage, State};
 use crate::parameters::Parameters;
@@ -87,7 +87,7 @@ impl<const D: usize> State<D> {
         let seed = u128::from(parameters.seed) << 64 | u128::from(number);
         let state = State {
             // A mesh with segments or facets has no partitions.
-            segments: Segments::default(),
+            segments: SegmentState::default(),
             facets: Facets::default(),
             interface: Interface::new(domains.non_owned()?)?,
             removed: Vec::new(),

@@ -1,8 +1,9 @@
-//! Simplices that refinement leaves alone: those outside of the domain, and those that a sharp corner of
-//! the input forces. Two lines that meet at a small angle are split on the same shells about their
-//! end, and the triangle between two vertices of a shell has an edge as short as the angle makes
-//! it. To refine it would make the next shell, and so on; so it stays, as in G. L. Miller, S. E.
-//! Pav and N. J. Walkington, "When and why Delaunay refinement algorithms work" (2005).
+//! Simplices that refinement leaves alone: those outside of the domain, and those that a sharp
+//! corner of the input forces. Two lines that meet at a small angle are split on the same shells
+//! about their end, and the triangle between two vertices of a shell has an edge as short as the
+//! angle makes it. To refine it would make the next shell, and so on; so it stays, as in G. L.
+//! Miller, S. E. Pav and N. J. Walkington, "When and why Delaunay refinement algorithms work"
+//! (2005).
 
 use crate::complex::{SimplexId, VertexId};
 use crate::error::Result;

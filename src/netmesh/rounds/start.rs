@@ -92,7 +92,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
             affine_basis::<D>(self.state.inputs, |i| *self.state.delaunay.point(VertexId::new(i)));
         if basis.len() < D + 1 {
             let message = message!(
-                "the points have affine rank {}; a Delaunay triangulation in dimension {D} needs rank {D}",
+                "the points have affine rank {}; a Delaunay triangulation in dimension {D} needs \
+                 rank {D}",
                 basis.len() - 1
             );
             return Err(Error::new(ErrorKind::DegenerateInput, message));

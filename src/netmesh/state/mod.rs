@@ -44,7 +44,7 @@ use crate::netmesh::state::observations::Instruments;
 use crate::netmesh::state::order::{InputId, by_locality};
 use crate::netmesh::state::parameters::{partition_count, usable_threads};
 use crate::netmesh::state::refine_list::RefineList;
-use crate::netmesh::state::segments::Segments;
+use crate::netmesh::state::segments::SegmentState;
 use crate::netmesh::state::sizes::Sizes;
 use crate::netmesh::state::watch::Watch;
 use crate::options::{Algorithm, Phase};
@@ -65,7 +65,7 @@ pub(in crate::netmesh) struct State<const D: usize> {
     pub hierarchy: Hierarchy<D>,
     pub conflict_lists: ConflictLists,
     pub refine_list: RefineList,
-    pub segments: Segments,
+    pub segments: SegmentState,
     pub facets: Facets,
     /// Simplices and domains that a partition must leave as they are. The global mesh has none.
     pub interface: Interface,
@@ -197,7 +197,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             hierarchy,
             conflict_lists,
             refine_list: RefineList::new()?,
-            segments: Segments::default(),
+            segments: SegmentState::default(),
             facets: Facets::default(),
             interface: Interface::default(),
             stage: Stage::of_insertion(parameters.loose_bound()),

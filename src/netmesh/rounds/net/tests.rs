@@ -150,7 +150,8 @@ fn check_property<const D: usize>(count: usize) {
                 let most = fullest(&empty, &others);
                 assert!(
                     most < threshold as usize,
-                    "{D}D {kind}: a ball with {most} of {} points, threshold {threshold}, net {net:?}",
+                    "{D}D {kind}: a ball with {most} of {} points, threshold {threshold}, net \
+                     {net:?}",
                     points.len()
                 );
             }

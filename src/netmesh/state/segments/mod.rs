@@ -15,7 +15,7 @@ use std::fmt::{self, Display, Formatter};
 
 /// Segments of a mesh: their chains, the regions between them, and what is known of both.
 #[derive(Default)]
-pub(in crate::netmesh) struct Segments {
+pub(in crate::netmesh) struct SegmentState {
     pub chains: Chains,
     pub regions: Regions,
     /// The seeds of the caller in the regions where they were found.
@@ -70,7 +70,7 @@ pub(in crate::netmesh) fn name_of(segment: u32) -> Cow<'static, str> {
     }
 }
 
-impl Segments {
+impl SegmentState {
     /// Returns true if the mesh has segments, and they are being recovered or have been.
     #[inline]
     pub fn is_active(&self) -> bool {

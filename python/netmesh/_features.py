@@ -1,0 +1,74 @@
+"""Segments, facets and regions of a mesh: the edges, triangles and simplices that are theirs."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ._netmesh import Core
+
+
+class Features:
+    """Arrays of what segments and facets have become."""
+
+    _core: Core
+
+    @property
+    def segments(self) -> np.ndarray:
+        """Edges that segments have become, int32, shape (edges, 2), in their directions.
+
+        Examples
+        --------
+        >>> import netmesh
+        >>> m = netmesh.mesh([[0, 0], [4, 0], [0, 3]], [[0, 1], [1, 2], [2, 0]])
+        >>> bool((m.segment_parents[m.segments[:, 0] == 0] == 0).all()), len(m.segments) >= 3
+        (True, True)
+        """
+        return self._core.segments
+
+    @property
+    def segment_parents(self) -> np.ndarray:
+        """Segment that each edge of `segments` is a part of, int32, shape (edges,).
+
+        -1 for edges of a hull or box, and in 3D for edges of facets that are no segments.
+        """
+        return self._core.segment_parents
+
+    @property
+    def facet_triangles(self) -> np.ndarray:
+        """Triangles that facets have become, int32, shape (triangles, 3).
+
+        Their vertices go counterclockwise where the normal of the facet points to, that of its first
+        polygon. `facets` has those of all simplices.
+
+        Examples
+        --------
+        >>> import netmesh
+        >>> points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+        >>> m = netmesh.mesh(points, facets=[[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
+        >>> len(m.facet_triangles) == len(m.facet_parents) == len(m.facet_simplices) >= 4
+        True
+        >>> bool((m.facet_simplices[:, 0] == -1).all())    # all facets look outwards
+        True
+        """
+        return self._core.facet_triangles
+
+    @property
+    def facet_parents(self) -> np.ndarray:
+        """Facet that each of `facet_triangles` is a part of, int32, shape (triangles,).
+
+        Of triangles that are one facet the first; -1 for the boundary of a hull or box.
+        """
+        return self._core.facet_parents
+
+    @property
+    def facet_simplices(self) -> np.ndarray:
+        """Simplices that have each of `facet_triangles`, int32, shape (triangles, 2).
+
+        First the one where the normal points to, then the one behind; -1 where the domain ends.
+        """
+        return self._core.facet_simplices
+
+    @property
+    def simplex_regions(self) -> np.ndarray:
+        """Label of each simplex' region, int32, shape (simplices,); empty without segments and facets."""
+        return self._core.simplex_regions

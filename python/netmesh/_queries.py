@@ -1,0 +1,148 @@
+"""Questions about points: the simplices that hold them, the nearest vertices, values between."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ._arrays import query_points, shaped_values, value_columns, vertex_columns
+from ._netmesh import Core
+
+
+class Queries:
+    """Questions that a mesh answers about points."""
+
+    _core: Core
+
+    @property
+    def _dim(self) -> int:
+        return self._core.points.shape[1]
+
+    def locate(self, points: Any, *, threads: int = 1) -> np.ndarray:
+        """Find the simplices that hold points, by exact signs.
+
+        Parameters
+        ----------
+        points : array_like of float, shape (..., dim)
+            In any order.
+        threads : int
+            Number of threads, 0 for all cores. The answer does not depend on it.
+
+        Returns
+        -------
+        ndarray of int32, shape (...)
+            -1 outside. On a face that several simplices share, the least of them.
+
+        Examples
+        --------
+        >>> import netmesh
+        >>> m = netmesh.mesh([[0, 0], [1, 0], [0, 1]], algorithm="delaunay")
+        >>> m.locate([[0.2, 0.2], [2, 2]])
+        array([ 0, -1], dtype=int32)
+        """
+        points = query_points(points, self._dim)
+        found = self._core.locate(points.reshape(-1, self._dim), threads)
+        return found.reshape(points.shape[:-1])
+
+    def nearest(
+        self, points: Any, *, among: str = "vertices", threads: int = 1
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Find the nearest vertices, or the nearest of the caller's points, and how far they are.
+
+        Parameters
+        ----------
+        points : array_like of float, shape (..., dim)
+        among : {'vertices', 'inputs'}
+        threads : int
+            0 for all cores.
+
+        Returns
+        -------
+        found : ndarray of int32, shape (...)
+            Vertices or, among inputs, the numbers of the caller's points, of equal ones the first.
+            The least of those at the same distance.
+        distances : ndarray of float64, shape (...)
+
+        Examples
+        --------
+        >>> import netmesh
+        >>> m = netmesh.mesh([[0, 0], [1, 0], [0, 1]])
+        >>> m.nearest([0.9, 0], among="inputs")[0]
+        array(1, dtype=int32)
+        """
+        points = query_points(points, self._dim)
+        vertices, distances = self._core.nearest(points.reshape(-1, self._dim), among, threads)
+        return vertices.reshape(points.shape[:-1]), distances.reshape(points.shape[:-1])
+
+    def interpolate(
+        self,
+        values: Any,
+        points: Any,
+        *,
+        interpolation: str = "linear",
+        outside: str = "nan",
+        threads: int = 1,
+    ) -> np.ndarray:
+        """Interpolate values that are given at the vertices.
+
+        Parameters
+        ----------
+        values : array_like of float or complex, shape (vertices, ...)
+            `extend_values` makes them of values at the inputs.
+        points : array_like of float, shape (..., dim)
+        interpolation : {'linear', 'sibson', 'laplace'}
+            Linear in each simplex, or by natural neighbours.
+        outside : {'nan', 'nearest'}
+            Values of points outside the hull: NaN, or those of the nearest vertex.
+        threads : int
+            0 for all cores.
+
+        Returns
+        -------
+        ndarray of float64 or complex128
+            The shape of points without the last axis, then that of values without the first.
+
+        Examples
+        --------
+        >>> import numpy as np, netmesh
+        >>> m = netmesh.mesh([[0, 0], [1, 0], [0, 1]])
+        >>> linear = m.points @ [2, 3]
+        >>> np.allclose(m.interpolate(linear, [[0.25, 0.5]], interpolation="sibson"), 2)
+        True
+        """
+        points = query_points(points, self._dim)
+        columns = vertex_columns(values, self._core)
+        rows = points.reshape(-1, self._dim)
+        found = self._core.interpolate(columns, rows, interpolation, outside, threads)
+        return shaped_values(found, values, points.shape[:-1])
+
+    def extend_values(self, values: Any, *, threads: int = 1) -> np.ndarray:
+        """Extend values at the inputs to all vertices.
+
+        They are linear in the Delaunay triangulation of the inputs, and those of the nearest input
+        beyond its hull.
+
+        Parameters
+        ----------
+        values : array_like of float or complex, shape (n, ...)
+            Values of the inputs; the first one's count where inputs are equal.
+
+        Returns
+        -------
+        ndarray of float64 or complex128, shape (vertices, ...)
+
+        Examples
+        --------
+        >>> import numpy as np, netmesh
+        >>> points = np.random.default_rng(1).random((50, 2))
+        >>> m = netmesh.mesh(points)
+        >>> at_vertices = m.extend_values(points @ [2, 3])
+        >>> at_vertices.shape == (len(m.points),)
+        True
+        >>> np.allclose(m.interpolate(at_vertices, points[:5]), points[:5] @ [2, 3])
+        True
+        """
+        columns = value_columns(values, len(self._core.input_vertices), "input")
+        found = self._core.extend_values(columns, threads)
+        return shaped_values(found, values, found.shape[:1])

@@ -106,7 +106,7 @@ impl Mesh {
         shared: &[[f64; 2]],
         poll: Poll<'_>,
     ) -> Result<(Options, Option<Arrangement>)> {
-        if self.conforms_in_space() {
+        if self.conforms_in_space(options.extent) {
             return self.arrangement_in_space(options, poll);
         }
         let Options { extent, crossings, interior, .. } = *options;

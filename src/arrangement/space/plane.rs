@@ -42,6 +42,11 @@ impl Plane {
         })
     }
 
+    /// Returns the three vertices that the plane goes through.
+    pub fn base(&self) -> [u32; 3] {
+        self.base
+    }
+
     /// Returns the vertex that is farthest from the plane, in units of what rounding explains;
     /// `None` if rounding explains all.
     ///
@@ -112,6 +117,11 @@ impl<'a> Gauge<'a> {
         }
         let is_apart = value.abs() > reach;
         !is_apart
+    }
+
+    /// Returns a number that grows with the height of a point above the plane, but for roundings.
+    pub fn height(&self, x: &[f64; 3]) -> f64 {
+        (0..3).map(|k| self.normal[k] * (0.5 * x[k] - 0.5 * self.base[0][k])).sum()
     }
 
     /// Returns the distance of a point from the plane, first in what rounding explains at most, and

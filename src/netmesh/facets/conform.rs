@@ -19,7 +19,8 @@ impl Mesher<'_, '_, 3> {
         cavity: &mut Cavity,
     ) -> Result<()> {
         self.begin_to_conform(arrangement, cavity)?;
-        let vertices = self.vertices_of_inputs()?;
+        let mut vertices = self.vertices_of_inputs()?;
+        self.add_points(&arrangement.corners, &mut vertices, cavity)?;
         let mut lines = with_capacity(arrangement.subsegments.len())?;
         for &Subsegment { ends, segment, balance } in &arrangement.subsegments {
             let ends = ends.map(|end| vertices[end as usize]);

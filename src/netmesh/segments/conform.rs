@@ -29,12 +29,7 @@ impl Mesher<'_, '_, 2> {
     /// Returns the lines of the arrangement. Crossings become vertices.
     fn lines_of(&mut self, arrangement: &Arrangement, cavity: &mut Cavity) -> Result<Vec<Line>> {
         let mut vertices = self.vertices_of_inputs()?;
-        for x in &arrangement.crossings {
-            let x = std::array::from_fn(|axis| x[axis]);
-            let near = vertices.last().copied().unwrap_or(VertexId::new(0));
-            let vertex = self.crossing_at(&x, near, cavity)?;
-            vertices.try_push(vertex)?;
-        }
+        self.add_points(&arrangement.crossings, &mut vertices, cavity)?;
         let mut lines = with_capacity(arrangement.subsegments.len())?;
         for subsegment in &arrangement.subsegments {
             let ends = subsegment.ends.map(|end| vertices[end as usize]);
@@ -42,27 +37,6 @@ impl Mesher<'_, '_, 2> {
             lines.push(Line { ends, segment, is_sharp: [false; 2], balance });
         }
         Ok(lines)
-    }
-
-    /// Finds the vertex at a point where segments cross, or makes it.
-    fn crossing_at(
-        &mut self,
-        x: &[f64; 2],
-        near: VertexId,
-        cavity: &mut Cavity,
-    ) -> Result<VertexId> {
-        let start = self.state.delaunay.complex().incident(near);
-        if let Some(vertex) = self.state.delaunay.vertex_at(start, x) {
-            return Ok(vertex);
-        }
-        let start = self.state.delaunay.locate(start, x).expect("no vertex is there");
-        self.state.delaunay.find_cavity(start, x, cavity)?;
-        let domain = self.enter_from_segment(x, cavity)?;
-        let vertex = self.state.add_vertex(*x)?;
-        self.state.stats.segment_points += 1;
-        self.state.hierarchy.set_domain(vertex, domain);
-        self.insert_into_cavity(vertex, cavity)?;
-        Ok(vertex)
     }
 }
 
@@ -88,5 +62,42 @@ impl<const D: usize> Mesher<'_, '_, D> {
             vertices[input.index()] = VertexId::new(vertex);
         }
         Ok(vertices)
+    }
+
+    /// Appends to `vertices` those at further points of the arrangement: crossings of segments in the
+    /// plane, corners of a box in space.
+    pub(in crate::netmesh) fn add_points(
+        &mut self,
+        points: &[[f64; D]],
+        vertices: &mut Vec<VertexId>,
+        cavity: &mut Cavity,
+    ) -> Result<()> {
+        for x in points {
+            let near = vertices.last().copied().unwrap_or(VertexId::new(0));
+            let vertex = self.vertex_at_point(x, near, cavity)?;
+            vertices.try_push(vertex)?;
+        }
+        Ok(())
+    }
+
+    /// Finds the vertex at a point of the arrangement that is no input, or makes it.
+    fn vertex_at_point(
+        &mut self,
+        x: &[f64; D],
+        near: VertexId,
+        cavity: &mut Cavity,
+    ) -> Result<VertexId> {
+        let start = self.state.delaunay.complex().incident(near);
+        if let Some(vertex) = self.state.delaunay.vertex_at(start, x) {
+            return Ok(vertex);
+        }
+        let start = self.state.delaunay.locate(start, x).expect("no vertex is there");
+        self.state.delaunay.find_cavity(start, x, cavity)?;
+        let domain = self.enter_from_segment(x, cavity)?;
+        let vertex = self.state.add_vertex(*x)?;
+        self.state.stats.segment_points += 1;
+        self.state.hierarchy.set_domain(vertex, domain);
+        self.insert_into_cavity(vertex, cavity)?;
+        Ok(vertex)
     }
 }

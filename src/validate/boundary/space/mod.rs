@@ -100,7 +100,7 @@ pub(super) fn check_regions(
         regions::check(outline, view, &faces.walls, steps, promised, findings)?;
         areas::check(view, &faces.walls, promised.count, findings)?;
     }
-    flat::check(view, findings)?;
+    flat::check(view, &faces, findings)?;
     forced::check(inputs, view, &faces, findings)
 }
 

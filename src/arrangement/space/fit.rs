@@ -6,6 +6,7 @@
 //! has none of its own.
 
 use super::frame::{Frame, add_corners};
+use super::hull::{Role, within_edges};
 use super::intersections;
 use super::isolated::{Isolated, is_outside_of};
 use super::pieces::{Piece, Pieces};
@@ -70,36 +71,19 @@ pub(super) fn fitted(
     };
     let points = &*points;
     let given = Given { points, pieces, edges: pieces.edges()? };
-    let mut must = filled(points.len(), false)?;
-    for _ in 0..MOST_TRIES {
-        let frame = match corners {
-            Some(corners) => Frame::of_box(points, corners)?,
-            None => Frame::of_hull(points, Some(&must), poll)?,
-        };
-        let rims = frame.rims()?;
-        let mut on = Isolated::find(points, &frame.pieces(&rims)?, false, poll)?;
-        let homeless = on.settle()?;
-        let placed = on.vertices()?;
-        let mut lost = frame.outside.iter().filter(|point| placed.binary_search(point).is_err());
-        let is_whole = lost.clone().next().is_none();
-        lost.by_ref().for_each(|&point| must[point as usize] = true);
-        if is_whole {
-            let fitted = given.fit(&frame, &rims, &on, poll)?;
-            match fitted {
-                Some(fitted) if given.is_sound(&fitted, &homeless, poll)? => {
-                    return Ok(Some(fitted));
-                }
-                _ => break,
+    let fitted = match corners {
+        Some(corners) => {
+            let frame = Frame::of_box(points, corners)?;
+            match given.fit_near(&frame, poll)? {
+                Near::Fitted(fitted) => Some(fitted),
+                _ => given.fit_exactly(&frame, poll)?,
             }
         }
-    }
-    let frame = match corners {
-        Some(corners) => Frame::of_box(points, corners)?,
-        None => Frame::of_hull(points, None, poll)?,
+        None => match given.fit_hull(poll)? {
+            Some(fitted) => Some(fitted),
+            None => given.fit_exactly(&Frame::of_hull(points, None, poll)?, poll)?,
+        },
     };
-    let rims = frame.rims()?;
-    let on = Isolated::find(points, &frame.pieces(&rims)?, true, poll)?;
-    let fitted = given.fit(&frame, &rims, &on, poll)?;
     fitted.map(Some).ok_or_else(|| {
         let message = say!(
             "doubles have no room between facets and the boundary of ",
@@ -109,7 +93,67 @@ pub(super) fn fitted(
     })
 }
 
+/// Outcome of leading a boundary through the inputs near it.
+enum Near {
+    Fitted(Fitted),
+    /// Points that are outside, and on no side or edge.
+    Lost(Vec<u32>),
+    /// Roundings are in the way.
+    Unfit,
+}
+
 impl Given<'_> {
+    /// Returns the boundary of the hull up to rounding, through the inputs near it; `None` where
+    /// roundings are in the way.
+    fn fit_hull(&self, poll: Poll<'_>) -> Result<Option<Fitted>> {
+        let mut roles = filled(self.points.len(), Role::Free)?;
+        for _ in 0..MOST_TRIES {
+            let mut frame = Frame::of_hull(self.points, Some(&roles), poll)?;
+            let mut is_new = false;
+            for vertex in within_edges(self.points, &frame.triangles)? {
+                let role = &mut roles[vertex as usize];
+                if *role == Role::Free {
+                    (*role, is_new) = (Role::Never, true);
+                }
+            }
+            if is_new {
+                continue;
+            }
+            let never = (0..self.points.len() as u32).filter(|&at| roles[at as usize] == Role::Never);
+            frame.outside.try_extend(&collected(never)?)?;
+            match self.fit_near(&frame, poll)? {
+                Near::Fitted(fitted) => return Ok(Some(fitted)),
+                Near::Lost(lost) => lost.iter().for_each(|&at| roles[at as usize] = Role::Must),
+                Near::Unfit => return Ok(None),
+            }
+        }
+        Ok(None)
+    }
+
+    /// Returns the boundary through the inputs near it.
+    fn fit_near(&self, frame: &Frame, poll: Poll<'_>) -> Result<Near> {
+        let rims = frame.rims()?;
+        let mut on = Isolated::find(self.points, &frame.pieces(&rims)?, false, poll)?;
+        let homeless = on.settle()?;
+        let placed = on.vertices()?;
+        let lost = frame.outside.iter().filter(|point| placed.binary_search(point).is_err());
+        let lost = collected(lost.copied())?;
+        if !lost.is_empty() {
+            return Ok(Near::Lost(lost));
+        }
+        match self.fit(frame, &rims, &on, poll)? {
+            Some(fitted) if self.is_sound(&fitted, &homeless, poll)? => Ok(Near::Fitted(fitted)),
+            _ => Ok(Near::Unfit),
+        }
+    }
+
+    /// Returns the boundary through the inputs exactly on it.
+    fn fit_exactly(&self, frame: &Frame, poll: Poll<'_>) -> Result<Option<Fitted>> {
+        let rims = frame.rims()?;
+        let on = Isolated::find(self.points, &frame.pieces(&rims)?, true, poll)?;
+        self.fit(frame, &rims, &on, poll)
+    }
+
     /// Returns the frame between the vertices on it; `None` where roundings are in the way.
     fn fit(
         &self,

@@ -1,6 +1,6 @@
 //! The boundary of the box or of the convex hull of the inputs, as triangles of plane sides.
 
-use super::hull::{Hull, convex_hull, corners_of_simplex};
+use super::hull::{Hull, Role, convex_hull, corners_of_simplex};
 use super::merge::merged;
 use super::pieces::{Piece, Pieces};
 use super::polygon::INTERIOR;
@@ -74,14 +74,14 @@ impl Frame {
     }
 
     /// Makes the frame of the convex hull of all points: the exact hull, whose sides are exactly
-    /// plane, or with `must`, [`convex_hull`] up to rounding, with sides that are plane up to
+    /// plane, or with `roles`, [`convex_hull`] up to rounding, with sides that are plane up to
     /// rounding.
-    pub fn of_hull(points: &[[f64; 3]], must: Option<&[bool]>, poll: Poll<'_>) -> Result<Self> {
-        let Some(hull) = convex_hull(points, must, poll)? else {
+    pub fn of_hull(points: &[[f64; 3]], roles: Option<&[Role]>, poll: Poll<'_>) -> Result<Self> {
+        let Some(hull) = convex_hull(points, roles, poll)? else {
             return Err(no_volume(Extent::Hull));
         };
         let Hull { triangles, outside } = hull;
-        let firsts = match must {
+        let firsts = match roles {
             Some(_) => merged(points, &triangles, &filled(triangles.len(), 0)?, 0.0, poll)?,
             None => exactly_plane(points, &triangles)?,
         };

@@ -6,12 +6,14 @@
 //! Points that are beyond a triangle by no more than rounding explains may be left out: the sides of
 //! a solid that was turned are plane then.
 
-use super::plane::{Gauge, Plane, units_of};
+use super::plane::{Gauge, Plane, from_line, units_of};
+use super::projection::Projection;
 use crate::arrangement::poll::Poll;
+use crate::arrangement::reach::Reach;
 use crate::error::Result;
-use crate::memory::{AllocResult, TryGrow, collected};
+use crate::memory::{AllocResult, Lists, TryGrow, collected};
 use crate::mesh::NONE;
-use crate::numerics::orientation;
+use crate::numerics::{distance, orientation};
 
 /// Number of tests for which a poll counts one unit of work.
 const TESTS_OF_A_POLL: u32 = 16;
@@ -29,12 +31,23 @@ struct HullTriangle {
 /// Convex hull in the making.
 struct Maker<'a> {
     points: &'a [[f64; 3]],
-    /// Point -> true if it becomes a vertex wherever it is beyond a triangle.
-    must: Option<&'a [bool]>,
+    /// Point -> its role; `None` for an exact hull.
+    roles: Option<&'a [Role]>,
     all: Vec<HullTriangle>,
     /// Triangles that may have a point far enough beyond them.
     waiting: Vec<u32>,
     tests: u32,
+}
+
+/// Part that a point has in a hull up to rounding.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Role {
+    /// It is a vertex where it is farther out than rounding explains.
+    Free,
+    /// It is a vertex wherever it is outside.
+    Must,
+    /// It is no vertex.
+    Never,
 }
 
 /// Convex hull of some of the points.
@@ -47,19 +60,19 @@ pub(super) struct Hull {
 }
 
 /// Returns the convex hull of all points; `None` if they are in one plane, up to rounding. With
-/// `must`, points that are beyond it by no more than rounding explains are left out, but for those
-/// for which `must` is true. Expected O(n log n).
+/// `roles`, points that are beyond it by no more than rounding explains are left out. Expected
+/// O(n log n).
 pub(super) fn convex_hull(
     points: &[[f64; 3]],
-    must: Option<&[bool]>,
+    roles: Option<&[Role]>,
     poll: Poll<'_>,
 ) -> Result<Option<Hull>> {
-    let mut maker = Maker { points, must, all: Vec::new(), waiting: Vec::new(), tests: 0 };
+    let mut maker = Maker { points, roles, all: Vec::new(), waiting: Vec::new(), tests: 0 };
     if !maker.start(poll)? {
         return Ok(None);
     }
     while let Some(triangle) = maker.waiting.pop() {
-        if let Some(farthest) = maker.farthest(triangle) {
+        if let Some(farthest) = maker.farthest(triangle)? {
             maker.add(triangle, farthest, poll)?;
         }
     }
@@ -73,23 +86,85 @@ pub(super) fn convex_hull(
     Ok(Some(hull))
 }
 
+/// Returns the vertices of a hull that are near the edge between two of their neighbours, at the
+/// ends of which the side could end as well.
+pub(super) fn within_edges(points: &[[f64; 3]], triangles: &[[u32; 3]]) -> AllocResult<Vec<u32>> {
+    const MOST_NEIGHBORS: usize = 100;
+    let point = |at: u32| &points[at as usize];
+    let pairs = || triangles.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
+    let neighbors = Lists::of_pairs(points.len(), pairs)?;
+    let mut found = Vec::new();
+    for vertex in 0..points.len() as u32 {
+        let own = neighbors.of(vertex as usize);
+        let is_within = |[a, b]: [u32; 2]| {
+            Reach::of([a, b].map(point)).holds(point(vertex))
+        };
+        let mut pairs = own.iter().enumerate().flat_map(|(at, &b)| own[..at].iter().map(move |&a| [a, b]));
+        if own.len() <= MOST_NEIGHBORS && pairs.any(is_within) {
+            found.try_push(vertex)?;
+        }
+    }
+    Ok(found)
+}
+
 /// Returns four points far from each other; `None` if all are in one plane, up to rounding.
 pub(super) fn corners_of_simplex(points: &[[f64; 3]]) -> AllocResult<Option<[u32; 4]>> {
     let all = collected(0..points.len() as u32)?;
-    let Some(plane) = Plane::of(points, &all) else { return Ok(None) };
-    let [a, b, c] = plane.base();
-    let corners = [a, b, c].map(|at| &points[at as usize]);
+    let Some(base) = far_triangle(points, &all) else { return Ok(None) };
+    let corners = base.map(|at| &points[at as usize]);
     let gauge = Gauge::new(corners, units_of(corners.into_iter()));
-    let height = |at: u32| gauge.height(&points[at as usize]).abs();
-    let farthest = all.iter().copied().reduce(|x, y| if height(y) > height(x) { y } else { x });
+    let height = |x: &[f64; 3]| gauge.height(x).abs();
     let is_far = |&at: &u32| {
         let x = &points[at as usize];
         let [a, b, c] = corners;
         !orientation(&[a, b, c, x]).is_zero() && gauge.measure(x).0 > 1.0
     };
+    let farthest = outermost(points, &all, corners[0], height).filter(is_far);
     // Where doubles do not tell which is the farthest, any may be.
-    let found = farthest.filter(is_far).or_else(|| all.iter().copied().find(is_far));
+    let found = farthest.or_else(|| all.iter().copied().find(is_far));
+    let [a, b, c] = base;
     Ok(found.map(|d| [a, b, c, d]))
+}
+
+/// Returns three points far from each other; `None` if all are on one line.
+fn far_triangle(points: &[[f64; 3]], all: &[u32]) -> Option<[u32; 3]> {
+    let point = |at: u32| &points[at as usize];
+    let start = point(*all.first()?);
+    let a = outermost(points, all, start, |x| distance(start, x))?;
+    let b = outermost(points, all, point(a), |x| distance(point(a), x))?;
+    let c = outermost(points, all, point(a), |x| from_line([point(a), point(b)], x))?;
+    match Projection::of_triangle([a, b, c].map(point)) {
+        Some(_) => Some([a, b, c]),
+        None => Some(Plane::of(points, all)?.base()),
+    }
+}
+
+/// Returns the point of some that is farthest out; of those that are as far but for roundings the
+/// one farthest from another point: so it is at the end of an edge or side, and not within.
+fn outermost(
+    points: &[[f64; 3]],
+    some: &[u32],
+    from: &[f64; 3],
+    height: impl Fn(&[f64; 3]) -> f64,
+) -> Option<u32> {
+    const ALIKE: f64 = 1.0 - 1e-9;
+    let mut best: Option<(u32, f64)> = None;
+    let mut most = f64::NEG_INFINITY;
+    for &at in some {
+        most = most.max(height(&points[at as usize]));
+    }
+    for &at in some {
+        let x = &points[at as usize];
+        // NaN counts, too: any point will do then.
+        let is_lower = height(x) < ALIKE * most;
+        if !is_lower {
+            let far = distance(from, x);
+            if best.is_none_or(|(_, known)| far > known) {
+                best = Some((at, far));
+            }
+        }
+    }
+    best.map(|(at, _)| at)
 }
 
 impl Maker<'_> {
@@ -108,8 +183,11 @@ impl Maker<'_> {
             });
             self.push(vertices, neighbors)?;
         }
-        for point in (0..self.points.len() as u32).filter(|point| !corners.contains(point)) {
-            self.sort_in(point, 0..4, poll)?;
+        for point in 0..self.points.len() as u32 {
+            let role = self.roles.map_or(Role::Free, |roles| roles[point as usize]);
+            if role != Role::Never && !corners.contains(&point) {
+                self.sort_in(point, 0..4, poll)?;
+            }
         }
         Ok(true)
     }
@@ -145,22 +223,45 @@ impl Maker<'_> {
         Ok(())
     }
 
-    /// Returns the point beyond a triangle that is farthest, if that counts.
-    fn farthest(&self, triangle: u32) -> Option<u32> {
+    /// Returns the point on the list of a triangle that is farthest, or the first one that counts.
+    fn farthest(&self, triangle: u32) -> AllocResult<Option<u32>> {
         let HullTriangle { vertices, beyond, is_live, .. } = &self.all[triangle as usize];
         if beyond.is_empty() || !is_live {
-            return None;
+            return Ok(None);
         }
         let corners = vertices.map(|vertex| &self.points[vertex as usize]);
         let gauge = Gauge::new(corners, units_of(corners.into_iter()));
-        let height = |point: u32| gauge.height(&self.points[point as usize]);
-        let farthest =
-            beyond.iter().copied().reduce(|x, y| if height(y) > height(x) { y } else { x });
-        let Some(must) = self.must else { return farthest };
-        let counts = |&point: &u32| {
-            must[point as usize] || gauge.measure(&self.points[point as usize]).0 > 1.0
-        };
-        farthest.filter(counts).or_else(|| beyond.iter().copied().find(counts))
+        let farthest = outermost(self.points, beyond, corners[0], |x| gauge.height(x));
+        let Some(roles) = self.roles else { return Ok(farthest) };
+        for &point in farthest.iter().chain(beyond) {
+            if roles[point as usize] == Role::Must || self.is_far(triangle, point)? {
+                return Ok(Some(point));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Returns true if a point is farther beyond some triangle than rounding explains, given one of
+    /// those that it is beyond, which are connected.
+    fn is_far(&self, triangle: u32, point: u32) -> AllocResult<bool> {
+        let mut seen = Vec::new();
+        seen.try_push(triangle)?;
+        let mut at = 0;
+        while let Some(&own) = seen.get(at) {
+            at += 1;
+            let HullTriangle { vertices, neighbors, .. } = &self.all[own as usize];
+            let corners = vertices.map(|vertex| &self.points[vertex as usize]);
+            let gauge = Gauge::new(corners, units_of(corners.into_iter()));
+            if gauge.measure(&self.points[point as usize]).0 > 1.0 {
+                return Ok(true);
+            }
+            for &next in neighbors {
+                if !seen.contains(&next) && self.is_beyond(self.all[next as usize].vertices, point) {
+                    seen.try_push(next)?;
+                }
+            }
+        }
+        Ok(false)
     }
 
     /// Makes a point beyond a triangle a vertex.

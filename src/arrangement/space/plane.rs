@@ -167,7 +167,7 @@ fn area(projection: Projection, corners: [&[f64; 3]; 3]) -> (f64, i64) {
 }
 
 /// Returns a number that grows with the distance of a point from a line, but for roundings.
-fn from_line([a, b]: [&[f64; 3]; 2], x: &[f64; 3]) -> f64 {
+pub(super) fn from_line([a, b]: [&[f64; 3]; 2], x: &[f64; 3]) -> f64 {
     let way: [f64; 3] = std::array::from_fn(|k| 0.5 * b[k] - 0.5 * a[k]);
     let longest = way.iter().fold(0.0f64, |longest, step| longest.max(step.abs()));
     let u = way.map(|step| step / longest);

@@ -16,7 +16,7 @@ impl Mesher<'_, '_, 2> {
         arrangement: &Arrangement,
         cavity: &mut Cavity,
     ) -> Result<()> {
-        self.begin_to_conform(arrangement, cavity)?;
+        self.begin_to_conform(arrangement, &[], cavity)?;
         let lines = self.lines_of(arrangement, cavity)?;
         self.cage_clusters(&lines, cavity)?;
         self.state.segments.chains = Chains::new(lines, self.state.delaunay.point_count())?;
@@ -41,14 +41,16 @@ impl Mesher<'_, '_, 2> {
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Inserts the inputs into the outer cage. No bound counts until the mesh conforms.
+    /// Inserts the inputs into the outer cage, which surrounds `further` points, too. No bound counts
+    /// until the mesh conforms.
     pub(in crate::netmesh) fn begin_to_conform(
         &mut self,
         arrangement: &Arrangement,
+        further: &[[f64; D]],
         cavity: &mut Cavity,
     ) -> Result<()> {
         self.state.stage.bound = f64::INFINITY;
-        let center = self.start_outer_cage(cavity)?;
+        let center = self.start_outer_cage(further, cavity)?;
         self.insert_points(center, cavity)?;
         self.state.stats.near_inputs = arrangement.near_inputs;
         self.state.stats.farthest_near_input = arrangement.farthest_near_input;

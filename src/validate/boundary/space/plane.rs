@@ -13,6 +13,7 @@ use super::super::chains::BENT;
 use super::super::exact::unit_in_last_place;
 use super::super::sum::Sum;
 use super::given::Facet;
+use super::tiling::name_of;
 use super::ways::Ways;
 use crate::error::message;
 use crate::quality::length::{exponent_of, scale};
@@ -147,8 +148,8 @@ pub(super) fn check(
         let limit = if ways.is_input(vertex) { &wide } else { &slab };
         findings.check(limit.holds(normal, ways.view.point(vertex)), || {
             let message = message!(
-                "vertex {vertex} on facet {} is farther from its plane than rounding makes it",
-                facet.parent
+                "vertex {vertex} on {} is farther from its plane than rounding makes it",
+                name_of(facet.parent)
             );
             Violation::new(ViolationKind::FacetPlane, message).vertex(vertex as usize)
         });

@@ -16,7 +16,7 @@ use super::sides::Sides as Edges;
 use crate::arrangement::poll::Poll;
 use crate::error::{Choice, Error, ErrorKind, Result, say};
 use crate::memory::{AllocResult, Lists, TryGrow, collected, copied, filled, with_capacity};
-use crate::mesh::{Feature, FacetTriangle};
+use crate::mesh::{FacetTriangle, Feature};
 use crate::options::Extent;
 
 /// Largest number of times that a hull is made up to rounding, with further points that it must
@@ -119,7 +119,8 @@ impl Given<'_> {
             if is_new {
                 continue;
             }
-            let never = (0..self.points.len() as u32).filter(|&at| roles[at as usize] == Role::Never);
+            let never =
+                (0..self.points.len() as u32).filter(|&at| roles[at as usize] == Role::Never);
             frame.outside.try_extend(&collected(never)?)?;
             match self.fit_near(&frame, poll)? {
                 Near::Fitted(fitted) => return Ok(Some(fitted)),
@@ -243,7 +244,9 @@ impl Given<'_> {
         }
         let Some(plane) = Plane::of(self.points, &polygon.vertices) else { return Ok(None) };
         let tiling = polygon.tiling(self.points, &plane, &[], poll)?;
-        Ok(tiling.filter(|tiling| tiling.lines.len() == tiling.lines_inside).map(|all| all.triangles))
+        Ok(tiling
+            .filter(|tiling| tiling.lines.len() == tiling.lines_inside)
+            .map(|all| all.triangles))
     }
 
     /// Returns for each side the edges on it, by their numbers.

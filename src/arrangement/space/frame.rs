@@ -125,8 +125,10 @@ impl Frame {
 }
 
 fn no_volume(extent: Extent) -> Error {
-    let message =
-        say!(Choice::Extent(extent), " has no volume: all inputs are in a plane, but for roundings");
+    let message = say!(
+        Choice::Extent(extent),
+        " has no volume: all inputs are in a plane, but for roundings"
+    );
     Error::new(ErrorKind::DegenerateInput, message)
 }
 

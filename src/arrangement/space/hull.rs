@@ -96,10 +96,9 @@ pub(super) fn within_edges(points: &[[f64; 3]], triangles: &[[u32; 3]]) -> Alloc
     let mut found = Vec::new();
     for vertex in 0..points.len() as u32 {
         let own = neighbors.of(vertex as usize);
-        let is_within = |[a, b]: [u32; 2]| {
-            Reach::of([a, b].map(point)).holds(point(vertex))
-        };
-        let mut pairs = own.iter().enumerate().flat_map(|(at, &b)| own[..at].iter().map(move |&a| [a, b]));
+        let is_within = |[a, b]: [u32; 2]| Reach::of([a, b].map(point)).holds(point(vertex));
+        let mut pairs =
+            own.iter().enumerate().flat_map(|(at, &b)| own[..at].iter().map(move |&a| [a, b]));
         if own.len() <= MOST_NEIGHBORS && pairs.any(is_within) {
             found.try_push(vertex)?;
         }
@@ -117,13 +116,20 @@ pub(super) fn corners_of_simplex(points: &[[f64; 3]]) -> AllocResult<Option<[u32
     let is_far = |&at: &u32| {
         let x = &points[at as usize];
         let [a, b, c] = corners;
-        !orientation(&[a, b, c, x]).is_zero() && gauge.measure(x).0 > 1.0
+        !orientation(&[a, b, c, x]).is_zero() && exceeds_rounding(&gauge, x)
     };
     let farthest = outermost(points, &all, corners[0], height).filter(is_far);
     // Where doubles do not tell which is the farthest, any may be.
     let found = farthest.or_else(|| all.iter().copied().find(is_far));
     let [a, b, c] = base;
     Ok(found.map(|d| [a, b, c, d]))
+}
+
+/// Returns true if rounding does not explain the distance of a point from a plane, or where doubles
+/// do not tell it.
+fn exceeds_rounding(gauge: &Gauge<'_>, x: &[f64; 3]) -> bool {
+    let is_explained = gauge.measure(x).0 <= 1.0;
+    !is_explained
 }
 
 /// Returns three points far from each other; `None` if all are on one line.
@@ -252,11 +258,12 @@ impl Maker<'_> {
             let HullTriangle { vertices, neighbors, .. } = &self.all[own as usize];
             let corners = vertices.map(|vertex| &self.points[vertex as usize]);
             let gauge = Gauge::new(corners, units_of(corners.into_iter()));
-            if gauge.measure(&self.points[point as usize]).0 > 1.0 {
+            if exceeds_rounding(&gauge, &self.points[point as usize]) {
                 return Ok(true);
             }
             for &next in neighbors {
-                if !seen.contains(&next) && self.is_beyond(self.all[next as usize].vertices, point) {
+                if !seen.contains(&next) && self.is_beyond(self.all[next as usize].vertices, point)
+                {
                     seen.try_push(next)?;
                 }
             }

@@ -71,21 +71,22 @@ impl Isolated {
         Ok(all)
     }
 
-    /// Leaves each vertex one place of those that are near it: an edge or facet that it is exactly
-    /// on, the only edge, or without edges the first facet. A vertex near several edges, and exactly
-    /// on nothing, is near a corner and keeps no place; such are returned.
+    /// Leaves each vertex one place of those that are near it: an edge if it is near one, with those
+    /// exactly on one first, otherwise the nearest facet. A vertex near several edges and exactly on
+    /// nothing is near a corner, and keeps no place; such are returned.
     pub fn settle(&mut self) -> AllocResult<Vec<u32>> {
-        let on_edges = self.on_edges.iter().map(|&(edge, at, bits)| (at, bits, Place::Edge(edge)));
+        let on_edges = self.on_edges.iter().map(|&(edge, at, bits)| (at, Place::Edge(edge), bits));
         let within = self.in_facets.iter();
-        let within = within.map(|&(facet, at, bits)| (at, bits, Place::Facet(facet)));
+        let within = within.map(|&(facet, at, bits)| (at, Place::Facet(facet), bits));
         let mut places = collected(on_edges.chain(within))?;
-        // By the vertices, those exactly there first, and edges before facets.
-        places.sort_unstable_by_key(|&(at, bits, place)| (at, bits > 0, place));
+        let is_facet = |place: &Place| matches!(place, Place::Facet(_));
+        // By the vertices, edges before facets, the nearest first.
+        places.sort_unstable_by_key(|&(at, place, bits)| (at, is_facet(&place), bits, place));
         let (mut kept, mut homeless) = (Vec::new(), Vec::new());
         for own in places.chunk_by(|a, b| a.0 == b.0) {
-            let is_edge = |place: &&(u32, u64, Place)| matches!(place.2, Place::Edge(_));
-            if own[0].1 == 0 || own.iter().filter(is_edge).count() < 2 {
-                kept.try_push((own[0].0, own[0].2))?;
+            let edges = own.iter().filter(|(_, place, _)| !is_facet(place)).count();
+            if edges < 2 || own.iter().any(|place| place.2 == 0) {
+                kept.try_push((own[0].0, own[0].1))?;
             } else {
                 homeless.try_push(own[0].0)?;
             }

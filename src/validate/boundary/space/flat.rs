@@ -17,11 +17,7 @@ pub(super) fn facets_at(view: View<'_, 3>, faces: &Faces) -> AllocResult<Lists> 
     Lists::of_pairs(view.vertex_count(), || pairs.iter().copied())
 }
 
-pub(super) fn check(
-    view: View<'_, 3>,
-    faces: &Faces,
-    findings: &mut Findings,
-) -> AllocResult<()> {
+pub(super) fn check(view: View<'_, 3>, faces: &Faces, findings: &mut Findings) -> AllocResult<()> {
     let facets_at = facets_at(view, faces)?;
     let mut expected: Vec<u32> = Vec::new();
     for simplex in 0..view.simplex_count() {

@@ -87,7 +87,8 @@ pub(super) fn check_volume(
     let mut bound = bounds.rounding();
     bound.add(&sum, true);
     findings.check(bound.sign() != Ordering::Less, || {
-        let message = "the domain and its holes have another volume than the hull or box of the inputs";
+        let message =
+            "the domain and its holes have another volume than the hull or box of the inputs";
         Violation::new(ViolationKind::RegionVolume, message)
     });
     Ok(())
@@ -121,7 +122,8 @@ impl Bounds {
             let (axis, end) = (side / 2, side % 2);
             let [i, j] = [1, 2].map(|step| 1 << ((axis + step) % 3));
             let first = end << axis;
-            let [a, b, c, d] = [first, first | i, first | i | j, first | j].map(|at| self.corner(at));
+            let [a, b, c, d] =
+                [first, first | i, first | i | j, first | j].map(|at| self.corner(at));
             for [p, q, r] in [[&a, &b, &c], [&a, &c, &d]] {
                 sum.add_facet(if end == 1 { [p, q, r] } else { [q, p, r] });
             }
@@ -223,9 +225,8 @@ impl Shell {
     /// Checks that the parts of a hull between subsegments are plane, but for roundings.
     fn check_parts(&self, ways: &Ways<'_>, findings: &mut Findings) -> AllocResult<()> {
         let (view, faces) = (ways.view, ways.faces);
-        let is_own = |&&subfacet: &&u32| {
-            view.mesh.boundary.subfacet_parents[subfacet as usize] == NONE
-        };
+        let is_own =
+            |&&subfacet: &&u32| view.mesh.boundary.subfacet_parents[subfacet as usize] == NONE;
         let own = self.subfacets.iter().filter(is_own);
         let mut order = collected(own.map(|&at| (faces.facets[at as usize], at)))?;
         order.sort_unstable();
@@ -246,8 +247,7 @@ impl Shell {
             let projection = Projection::along(&normal);
             let (rim, within, beside, points) = Default::default();
             let parent = NONE;
-            let facet =
-                Facet { parent, rim, within, beside, points, corners, projection, normal };
+            let facet = Facet { parent, rim, within, beside, points, corners, projection, normal };
             tiling::check_orientations(&facet, view, &triangles, findings)?;
             plane::check(&facet, vertices.into_iter(), ways, findings);
         }

@@ -102,7 +102,8 @@ impl Maker<'_> {
     /// Returns the point that is farthest before a triangle, but for roundings; any will do.
     fn farthest(&self, vertices: [usize; 3], seen: &[usize]) -> Option<usize> {
         let [a, b, c] = vertices.map(|at| self.points[at]);
-        let size = |x: &[f64; 3]| (0..3).map(|k| (0.5 * x[k] - 0.5 * a[k]).abs()).fold(0.0, f64::max);
+        let size =
+            |x: &[f64; 3]| (0..3).map(|k| (0.5 * x[k] - 0.5 * a[k]).abs()).fold(0.0, f64::max);
         let unit = size(b).max(size(c)).max(f64::MIN_POSITIVE);
         let way = |x: &[f64; 3]| [0, 1, 2].map(|k: usize| (0.5 * x[k] - 0.5 * a[k]) / unit);
         let (u, v) = (way(b), way(c));
@@ -172,9 +173,8 @@ mod tests {
             let mut points: Vec<[f64; 3]> =
                 (0..count).map(|_| std::array::from_fn(|_| random.unit())).collect();
             // Some in common planes, and on common lines.
-            points.extend((0..count).map(|_| {
-                std::array::from_fn(|_| (4.0 * random.unit()).floor())
-            }));
+            points
+                .extend((0..count).map(|_| std::array::from_fn(|_| (4.0 * random.unit()).floor())));
             let points: Vec<&[f64; 3]> = points.iter().collect();
             let triangles = hull(&points).unwrap();
             let mut signs = Signs::<Robust>::default();

@@ -35,7 +35,7 @@ pub(super) struct Fitted {
     pub offsets: Vec<f64>,
 }
 
-/// What the boundary must go through.
+/// Points, facets and segments that the boundary must go through.
 struct Given<'a> {
     points: &'a [[f64; 3]],
     pieces: &'a Pieces,

@@ -68,7 +68,7 @@ pub(super) fn convex_hull(
     poll: Poll<'_>,
 ) -> Result<Option<Hull>> {
     let mut maker = Maker { points, roles, all: Vec::new(), waiting: Vec::new(), tests: 0 };
-    if !maker.start(poll)? {
+    if !maker.make_simplex(poll)? {
         return Ok(None);
     }
     while let Some(triangle) = maker.waiting.pop() {
@@ -175,7 +175,7 @@ fn outermost(
 
 impl Maker<'_> {
     /// Makes the first four triangles, and their lists.
-    fn start(&mut self, poll: Poll<'_>) -> Result<bool> {
+    fn make_simplex(&mut self, poll: Poll<'_>) -> Result<bool> {
         let Some(mut corners) = corners_of_simplex(self.points)? else { return Ok(false) };
         if self.is_beyond([corners[0], corners[1], corners[2]], corners[3]) {
             corners.swap(0, 1);
@@ -294,7 +294,7 @@ impl Maker<'_> {
             }
         }
         let first = self.all.len() as u32;
-        self.cover(point, &mut horizon)?;
+        self.join_to_horizon(point, &mut horizon)?;
         for own in seen {
             for other in std::mem::take(&mut self.all[own as usize].beyond) {
                 if other != point {
@@ -307,7 +307,7 @@ impl Maker<'_> {
 
     /// Makes the triangles between a vertex and the edges of its horizon, each given with the
     /// triangle that stays there.
-    fn cover(&mut self, vertex: u32, horizon: &mut [([u32; 2], u32)]) -> AllocResult<()> {
+    fn join_to_horizon(&mut self, vertex: u32, horizon: &mut [([u32; 2], u32)]) -> AllocResult<()> {
         let first = self.all.len() as u32;
         horizon.sort_unstable();
         for (at, &([from, to], beyond)) in (0u32..).zip(&*horizon) {

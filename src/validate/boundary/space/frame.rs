@@ -243,11 +243,17 @@ impl Shell {
             vertices.sort_unstable();
             vertices.dedup();
             let corners = collected(vertices.iter().copied().filter(|&at| ways.is_input(at)))?;
-            let Some((normal, _)) = area.rounded() else { continue };
+            let vector = area.rounded();
+            findings.check(vector.is_some() && !corners.is_empty(), || {
+                let message = "a part of the hull between subsegments is no side: it has no plane, or no input";
+                Violation::new(ViolationKind::FacetPlane, message).vertex(vertices[0] as usize)
+            });
+            let Some((normal, _)) = vector else { continue };
             let projection = Projection::along(&normal);
             let (rim, within, beside, points) = Default::default();
             let parent = NONE;
             let facet = Facet { parent, rim, within, beside, points, corners, projection, normal };
+            plane::check_side(&facet, ways, findings);
             tiling::check_orientations(&facet, view, &triangles, findings)?;
             plane::check(&facet, vertices.into_iter(), ways, findings);
         }

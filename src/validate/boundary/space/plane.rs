@@ -112,6 +112,32 @@ impl Slab {
     }
 }
 
+/// Checks that the inputs of a side of a hull are in a plane: up to rounding, and up to the bends
+/// between triangles that count as none.
+pub(super) fn check_side(facet: &Facet, ways: &Ways<'_>, findings: &mut Findings) {
+    const BENDS: f64 = 1e-9;
+    let points = facet.corners.iter().map(|&corner| ways.input(corner));
+    let Slab { low, high } = Slab::of(&facet.normal, points.clone());
+    let mut excess = high;
+    excess.add(&low, true);
+    for (axis, component) in facet.normal.iter().enumerate() {
+        let over =
+            |of: fn(f64, f64) -> f64, first: f64| points.clone().map(|x| x[axis]).fold(first, of);
+        let (least, most) = (over(f64::min, f64::INFINITY), over(f64::max, f64::NEG_INFINITY));
+        let unit = unit_in_last_place(least.abs().max(most.abs()));
+        excess.add_product(&[-component.abs(), 4.0 * BENT, unit]);
+        excess.add_product(&[-component.abs(), BENDS, most]);
+        excess.add_product(&[component.abs(), BENDS, least]);
+    }
+    findings.check(excess.sign() != Ordering::Greater, || {
+        let corner = facet.corners.first().copied().unwrap_or(0);
+        let message = message!(
+            "a part of the hull between subsegments, at vertex {corner}, is not in one plane"
+        );
+        Violation::new(ViolationKind::FacetPlane, message).vertex(corner as usize)
+    });
+}
+
 /// Returns true if a height is larger than that of a point.
 fn exceeds(height: &Sum, normal: &[f64; 3], point: &[f64; 3]) -> bool {
     let mut difference = height.clone();

@@ -114,6 +114,10 @@ fn a_box_has_corners_that_are_no_inputs() {
     assert_eq!(mesh.vertex_count(), 14);
     assert!(is_close(volume(&mesh), 8.0));
     assert_on_sides(&mesh, [[-1.0; 3], [1.0; 3]]);
+    // The outer cage surrounds the corners, of which some are far from all inputs.
+    let turned: Vec<Point> = grid(5).into_iter().map(tilted).collect();
+    let boxed = run(&turned, &within(Extent::Box, 2.0));
+    assert!(is_close(volume(&boxed), box_volume(&turned)));
     let hull = run(&points, &within(Extent::Hull, 2.0));
     assert_eq!((hull.vertex_count(), hull.boundary.subfacets.len()), (6, 8));
     assert!(is_close(volume(&hull), 4.0 / 3.0));

@@ -161,12 +161,12 @@ impl Shell {
     fn of(view: View<'_, 3>, faces: &Faces) -> AllocResult<Self> {
         let mut is_outside = filled(view.simplex_count(), false)?;
         let mut waiting = Vec::new();
-        for simplex in 0..view.simplex_count() {
+        for (simplex, is_outside) in is_outside.iter_mut().enumerate() {
             let is_free = |slot: usize| {
                 view.neighbors(simplex)[slot] == NONE && faces.walls.across(simplex, slot) == NONE
             };
             if (0..4).any(is_free) {
-                is_outside[simplex] = true;
+                *is_outside = true;
                 waiting.try_push(simplex)?;
             }
         }

@@ -426,7 +426,7 @@ fn points_alone_are_cut_to_hull_and_box() {
 fn extents_that_cannot_be_are_refused() {
     let refusal = |dim: usize, extent| {
         let mut mesh =
-            Mesh::new(dim, 2, &[0.0, 0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 4.0][..2 * dim], 0).unwrap();
+            Mesh::new(dim, 2, &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0][..2 * dim], 0).unwrap();
         mesh.run(&Options { extent, ..Options::default() }, None).unwrap_err().message().to_owned()
     };
     assert!(

@@ -264,11 +264,13 @@ enum nm_extent
      */
     NM_EXTENT_ALL = 1,
     /**
-     * The convex hull of the inputs. For runs in 2D alone.
+     * The convex hull of the inputs. For runs in 2D and 3D alone; inputs that are on its
+     * boundary up to rounding are vertices of it.
      */
     NM_EXTENT_HULL = 2,
     /**
-     * The least box that holds the inputs, its sides along the axes. For runs in 2D alone.
+     * The least box that holds the inputs, its sides along the axes. For runs in 2D and 3D alone;
+     * corners that are no inputs become further vertices.
      */
     NM_EXTENT_BOX = 3,
     /**
@@ -741,7 +743,7 @@ enum nm_violation
     NM_VIOLATION_FACET_PLANE = 114,
     /**
      * Triangles of the caller's are one facet and may not be, or subfacets belong to no facet of
-     * the caller's.
+     * the caller's and are not on the boundary of a hull or box.
      */
     NM_VIOLATION_FACET_GROUP = 115,
     /**
@@ -849,7 +851,8 @@ enum nm_violation
      */
     NM_VIOLATION_DOMAIN_END = 225,
     /**
-     * The domain has a region that is outside or a hole, or lacks one that is neither.
+     * The domain has a region that is outside or a hole, or lacks one that is neither, or an input
+     * is outside of the hull or box.
      */
     NM_VIOLATION_DOMAIN_PLACE = 226,
     /**
@@ -861,7 +864,8 @@ enum nm_violation
      */
     NM_VIOLATION_FORCED_SIMPLEX = 228,
     /**
-     * The simplices with one label have another volume than the facets about them enclose.
+     * The simplices with one label have another volume than the facets about them enclose, or what
+     * the boundary of a hull or box encloses is not of its volume.
      */
     NM_VIOLATION_REGION_VOLUME = 229,
     /**
@@ -1264,8 +1268,8 @@ typedef struct nm_options {
     nm_gives_way gives_way;
     /**
      * Domain: the region that the result covers. What lies beyond is cut away, and the boundary is
-     * made of edges in 2D, and of triangles in 3D. In 3D NM_EXTENT_AUTO, NM_EXTENT_ALL or
-     * NM_EXTENT_BOUNDARY, above 3D NM_EXTENT_AUTO or NM_EXTENT_ALL. Default NM_EXTENT_AUTO.
+     * made of edges in 2D, and of triangles in 3D. Above 3D NM_EXTENT_AUTO or NM_EXTENT_ALL.
+     * Default NM_EXTENT_AUTO.
      */
     nm_extent extent;
     /**
@@ -2085,7 +2089,7 @@ nm_status nm_mesh_options(const struct nm_mesh *mesh,
  * its value and the range; with segments also two that cross, an input where curves do not close,
  * segments that enclose nothing; a seed on a segment, in no region or in that of another),
  * NM_DEGENERATE_INPUT (NM_ALGORITHM_DELAUNAY, the message names the affine rank; a hull or box
- * without area), NM_LIMIT (too many vertices, or coordinates above 3e306; segments for which
+ * without area or, in 3D, volume), NM_LIMIT (too many vertices, or coordinates above 3e306; segments for which
  * doubles have no room), NM_CANCELLED, NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh,
  * or it is poisoned).
  *
@@ -2093,7 +2097,9 @@ nm_status nm_mesh_options(const struct nm_mesh *mesh,
  * exponentially with the dimension; for NM_OUTPUT_WELL_SPACED plus the size of the result. Any
  * thread; different meshes may be run at the same time.
  */
-NM_NODISCARD NM_API nm_status nm_run(struct nm_mesh *mesh, const struct nm_options *options);
+NM_NODISCARD NM_API
+nm_status nm_run(struct nm_mesh *mesh,
+                 const struct nm_options *options);
 
 /**
  * Gives the inputs sizes, for the calls of nm_run that follow: beside nm_options.max_edge and

@@ -129,7 +129,9 @@ fn default_of(dim: usize, name: Name, options: &Options, range: &Bounds) -> f64 
 /// # Errors
 /// `InvalidArgument`, naming the option, its value and the rule.
 pub fn with_segments(options: &Options) -> Result<Options> {
-    let Options { algorithm, criterion, quality_bound, distance_ratio, .. } = *options;
+    let Options { algorithm, criterion, quality_bound, distance_ratio, extent, .. } = *options;
+    let has_frame = matches!(extent, Extent::Hull | Extent::Box);
+    let extent = Choice::Extent(extent);
     if algorithm != Algorithm::Netmesh {
         return refuse(say!(
             Choice::Algorithm(algorithm),
@@ -138,32 +140,47 @@ pub fn with_segments(options: &Options) -> Result<Options> {
         ));
     }
     if criterion == Criterion::VoronoiAspect && quality_bound != 0.0 {
-        return refuse(say!(
-            Name::QualityBound,
-            " is {quality_bound}; with segments it must be 0, or go with ",
-            Choice::Criterion(Criterion::RadiusEdge)
-        ));
+        let other = Choice::Criterion(Criterion::RadiusEdge);
+        let name = Name::QualityBound;
+        return refuse(match has_frame {
+            true => say!(
+                name,
+                " is {quality_bound}; with ",
+                extent,
+                " it must be 0, or go with ",
+                other
+            ),
+            false => {
+                say!(name, " is {quality_bound}; with segments it must be 0, or go with ", other)
+            }
+        });
     }
     if distance_ratio != 0.0 {
-        return refuse(say!(
-            Name::DistanceRatio,
-            " is {distance_ratio}; it must be 0 with segments"
-        ));
+        let (name, must) = (Name::DistanceRatio, "it must be 0 with");
+        return refuse(match has_frame {
+            true => say!(name, " is {distance_ratio}; {must} ", extent),
+            false => say!(name, " is {distance_ratio}; {must} segments"),
+        });
     }
     Ok(Options { criterion: Criterion::RadiusEdge, ..options.clone() })
 }
 
-/// Returns the parameters of a mesh with facets or segments in space. An infinite bound asks for a
-/// mesh that conforms to them, and for no quality.
+/// Returns the parameters of a mesh with facets or segments in space, or the sides of a hull or box.
+/// An infinite bound asks for a mesh that conforms to them, and for no quality.
 ///
 /// # Errors
 /// `InvalidArgument`, naming the option, its value and the rule.
 pub fn in_space(options: &Options) -> Result<Parameters> {
     let options = with_segments(options)?;
-    let Options { min_dihedral, quality_bound, .. } = options;
+    let Options { min_dihedral, quality_bound, extent, .. } = options;
     if min_dihedral != 0.0 {
-        let rule = "it must be 0 with facets";
-        return refuse(say!(Name::MinDihedral, " is {min_dihedral}; {rule}"));
+        let (name, must) = (Name::MinDihedral, "it must be 0 with");
+        return refuse(match extent {
+            Extent::Hull | Extent::Box => {
+                say!(name, " is {min_dihedral}; {must} ", Choice::Extent(extent))
+            }
+            _ => say!(name, " is {min_dihedral}; {must} facets"),
+        });
     }
     if quality_bound != f64::INFINITY {
         return Parameters::resolve(3, &options);

@@ -25,7 +25,7 @@ impl Mesh {
     /// `InvalidArgument` (an option out of range; segments that cross; curves that do not close; a
     /// domain without a region; a seed on a segment, in no region or in that of another),
     /// `DegenerateInput` (plain Delaunay of inputs of lower affine rank, a hull or box without
-    /// area), `Limit`, `Cancelled`, `OutOfMemory`.
+    /// area or, in space, volume), `Limit`, `Cancelled`, `OutOfMemory`.
     pub fn run(&mut self, options: &Options, progress: Option<&mut ProgressFn<'_>>) -> Result<()> {
         self.run_sized(options, None, progress)
     }
@@ -96,7 +96,7 @@ impl Mesh {
         shared: &[[f64; 2]],
         poll: Poll<'_>,
     ) -> Result<(Options, Option<Arrangement>)> {
-        if self.conforms_in_space() {
+        if self.conforms_in_space(options.extent) {
             return self.arrangement_in_space(options, poll);
         }
         let Options { extent, crossings, interior, .. } = *options;
@@ -154,9 +154,10 @@ impl Mesh {
         let dim = self.inputs().dim();
         match extent {
             Extent::Auto | Extent::All => Ok(()),
-            _ if dim != 2 => {
-                refuse(say!(Choice::Extent(extent), " is for 2D; the mesh has dimension {dim}"))
-            }
+            _ if dim != 2 => refuse(say!(
+                Choice::Extent(extent),
+                " is for 2D and 3D; the mesh has dimension {dim}"
+            )),
             Extent::Boundary if self.segments().count() == 0 => {
                 refuse(say!(Choice::Extent(extent), " needs segments; the mesh has none"))
             }

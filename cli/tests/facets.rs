@@ -127,3 +127,26 @@ fn parts_are_checked_before_the_work() {
     bench.write("other.face/file", "");
     bench.run("square.poly -q -o other.node").assert_success();
 }
+
+/// Points alone fill their box or hull; a box of what is flat is refused in the caller's words.
+#[test]
+fn boxes_and_hulls_of_points() {
+    let bench = Workbench::new("facets_extents");
+    bench.write("points.xyz", "0 0 0\n1 0 0.2\n0.3 1 0\n0.4 0.3 1\n0.5 0.4 0.3\n");
+    bench.write("flat.xyz", "0 0 2\n1 0 2\n0 1 2\n1 1 2\n");
+    for extent in ["box", "hull"] {
+        let bound = "--criterion radius-edge --bound 3";
+        let outcome = bench.run(&format!("points.xyz --extent {extent} {bound} --validate"));
+        outcome.assert_success();
+        let of = format!("mesh of the {extent}, radius-edge ratio at most 3");
+        for words in [&*of, "holds at level 3"] {
+            assert!(outcome.stdout.contains(words), "no {words:?} in {}", outcome.stdout);
+        }
+        let refused = bench.run(&format!("flat.xyz --extent {extent}"));
+        assert!(
+            refused.stderr.contains(&format!("--extent {extent} has no volume")),
+            "{}",
+            refused.stderr
+        );
+    }
+}

@@ -123,11 +123,11 @@ def mesh(
         misses it is counted. 'angle': some tetrahedra stay below the dihedral angle; 'bound': some
         cells, or tetrahedra, go beyond the bound.
     extent : {'auto', 'all', 'hull', 'box', 'boundary'}
-        Region that the mesh covers; what lies beyond is cut away. In 3D auto, all or boundary,
-        above all. 'auto': boundary where segments or facets enclose something, otherwise all;
-        'all': all of the mesh, to the cage round all inputs; 'hull': the convex hull of the inputs,
-        in 2D; 'box': the bounding box of the inputs, in 2D; 'boundary': the region that segments or
-        facets enclose.
+        Region that the mesh covers; what lies beyond is cut away. Above 3D auto or all. 'auto':
+        boundary where segments or facets enclose something, otherwise all; 'all': all of the mesh,
+        to the cage round all inputs; 'hull': the convex hull of the inputs, in 2D and 3D; 'box':
+        the bounding box of the inputs, in 2D and 3D; 'boundary': the region that segments or facets
+        enclose.
     interior : {'auto', 'seeds', 'parity', 'winding'}
         Rule by which regions between segments, in 3D between facets, are inside, where `extent` is
         auto or boundary; seeds may make holes of them. 'auto': parity for the polygons of a GeoJSON

@@ -162,3 +162,24 @@ def test_regions_above_space_are_refused():
     points = np.random.default_rng(1).random((8, 4))
     with pytest.raises(netmesh.InvalidArgumentError, match="dimension 4; regions and holes are for 2D and 3D"):
         netmesh.mesh(points, holes=[[0, 0, 0, 0]])
+
+
+@pytest.mark.parametrize("extent", ["box", "hull"])
+def test_boxes_and_hulls_of_points(extent):
+    points = np.vstack([CUBE, np.random.default_rng(5).random((40, 3))])
+    bound = dict(criterion="radius_edge", quality_bound=2.0)
+    mesh = netmesh.mesh(points, extent=extent, **bound)
+    assert mesh.volumes.sum() == pytest.approx(1, abs=1e-12) and mesh.validate().violations == 0
+    assert mesh.parameters["extent"] == extent and (mesh.facet_parents == -1).all()
+    assert (mesh.facet_simplices[:, 0] == -1).all() and (mesh.facet_simplices[:, 1] >= 0).all()
+    # A facet on a side has its triangles.
+    mesh = netmesh.mesh(points, facets=[SIDES[0]], extent=extent, **bound)
+    a, b, c = mesh.points[mesh.facet_triangles[mesh.facet_parents == 0]].transpose(1, 0, 2)
+    area = np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2
+    assert area == pytest.approx(1, abs=1e-12) and mesh.volumes.sum() == pytest.approx(1, abs=1e-12)
+
+
+def test_boxes_and_hulls_without_volume_are_refused():
+    with pytest.raises(netmesh.Error, match="extent='box' has no volume") as error:
+        netmesh.mesh(CUBE[:4], extent="box")
+    assert "in a plane" in str(error.value)

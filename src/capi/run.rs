@@ -22,7 +22,7 @@ use crate::options::{Options, Progress, ProgressFn, SizeFn};
 /// its value and the range; with segments also two that cross, an input where curves do not close,
 /// segments that enclose nothing; a seed on a segment, in no region or in that of another),
 /// NM_DEGENERATE_INPUT (NM_ALGORITHM_DELAUNAY, the message names the affine rank; a hull or box
-/// without area), NM_LIMIT (too many vertices, or coordinates above 3e306; segments for which
+/// without area or, in 3D, volume), NM_LIMIT (too many vertices, or coordinates above 3e306; segments for which
 /// doubles have no room), NM_CANCELLED, NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh,
 /// or it is poisoned).
 ///

@@ -118,8 +118,8 @@ pub struct nm_options {
     /// effect where min_dihedral is 0. Default NM_GIVES_WAY_ANGLE.
     pub gives_way: MaybeUninit<GivesWay>,
     /// Domain: the region that the result covers. What lies beyond is cut away, and the boundary is
-    /// made of edges in 2D, and of triangles in 3D. In 3D NM_EXTENT_AUTO, NM_EXTENT_ALL or
-    /// NM_EXTENT_BOUNDARY, above 3D NM_EXTENT_AUTO or NM_EXTENT_ALL. Default NM_EXTENT_AUTO.
+    /// made of edges in 2D, and of triangles in 3D. Above 3D NM_EXTENT_AUTO or NM_EXTENT_ALL.
+    /// Default NM_EXTENT_AUTO.
     pub extent: MaybeUninit<Extent>,
     /// Rule by which regions between segments, in 3D between facets, are inside, with
     /// NM_EXTENT_BOUNDARY and, where there are segments or facets, NM_EXTENT_AUTO; otherwise it must

@@ -53,7 +53,8 @@ impl Region {
 /// meets no other piece.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Subsegment {
-    /// Ends: distinct inputs, or [`Inputs::distinct`] plus the index of a crossing.
+    /// Ends: distinct inputs, or [`Inputs::distinct`] plus the index of a crossing or, in space, of a
+    /// corner.
     pub ends: [u32; 2],
     /// Segment to which the piece belongs, the first if several overlap; [`NONE`](super::NONE) for
     /// an edge of a hull or box.
@@ -76,6 +77,8 @@ pub struct Crowded {
 pub struct Arrangement {
     /// Points where segments cross and no input is.
     pub crossings: Vec<[f64; 2]>,
+    /// Corners of a box in space where no input is.
+    pub corners: Vec<[f64; 3]>,
     /// Pieces of segments, sorted by segment, and along each from its first end to its second.
     pub subsegments: Vec<Subsegment>,
     /// Facets in space, which meet only at common vertices and subsegments.

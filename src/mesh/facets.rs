@@ -42,7 +42,7 @@ impl Facets {
 /// facet points to the eye.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FacetTriangle {
-    /// Distinct inputs.
+    /// Distinct inputs, or [`Inputs::distinct`] plus the index of a corner.
     pub vertices: [u32; 3],
     /// Number of the facet in [`super::Arrangement::facets`].
     pub facet: u32,

@@ -49,9 +49,11 @@ pub enum Extent {
     Auto = 0,
     /// Everywhere, to the cage round all inputs.
     All = 1,
-    /// The convex hull of the inputs. For runs in 2D alone.
+    /// The convex hull of the inputs. For runs in 2D and 3D alone; inputs that are on its
+    /// boundary up to rounding are vertices of it.
     Hull = 2,
-    /// The least box that holds the inputs, its sides along the axes. For runs in 2D alone.
+    /// The least box that holds the inputs, its sides along the axes. For runs in 2D and 3D alone;
+    /// corners that are no inputs become further vertices.
     Box = 3,
     /// The region that segments, or facets in space, enclose, without holes: all that cannot be
     /// reached from the hull without crossing one. For runs alone; segments and facets are set
@@ -224,8 +226,8 @@ choices! {
     Extent "extent" {
         Auto "auto": "boundary where segments or facets enclose something, otherwise all",
         All "all": "all of the mesh, to the cage round all inputs",
-        Hull "hull": "the convex hull of the inputs, in 2D",
-        Box "box": "the bounding box of the inputs, in 2D",
+        Hull "hull": "the convex hull of the inputs, in 2D and 3D",
+        Box "box": "the bounding box of the inputs, in 2D and 3D",
         Boundary "boundary": "the region that segments or facets enclose",
     }
     Interior "interior" {

@@ -55,8 +55,8 @@ both be kept; what misses it is counted.",
             Extent extent: Extent {
                 default: Extent::Auto, group: Domain, on_ranks: false,
                 kind: words::<Extent>(),
-                help: "Region that the mesh covers; what lies beyond is cut away. In 3D auto, all or \
-boundary, above all.",
+                help: "Region that the mesh covers; what lies beyond is cut away. Above 3D auto or \
+all.",
             }
             Interior interior: Interior {
                 default: Interior::Auto, group: Domain, on_ranks: false,

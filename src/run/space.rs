@@ -10,9 +10,12 @@ use crate::mesh::{Arrangement, Mesh};
 use crate::options::{Extent, Interior, Options};
 
 impl Mesh {
-    /// Returns true if the mesh has facets or segments in space.
-    pub(super) fn conforms_in_space(&self) -> bool {
-        self.inputs().dim() == 3 && self.given_facets().count() + self.segments().count() > 0
+    /// Returns true if the mesh has facets or segments in space, or an extent with a boundary of its
+    /// own there.
+    pub(super) fn conforms_in_space(&self, extent: Extent) -> bool {
+        let has_frame = matches!(extent, Extent::Hull | Extent::Box);
+        let has_own = self.given_facets().count() + self.segments().count() > 0;
+        self.inputs().dim() == 3 && (has_own || has_frame)
     }
 
     /// Returns the options with the extent that [`Extent::Auto`] stands for, and the arrangement of
@@ -26,7 +29,7 @@ impl Mesh {
         self.check_extent_in_space(extent, interior)?;
         let (inputs, facets, segments) = (self.inputs(), self.given_facets(), self.segments());
         let regions = self.regions();
-        let task = TaskInSpace { inputs, facets, segments, regions, coplanar };
+        let task = TaskInSpace { inputs, facets, segments, regions, coplanar, extent };
         let arrangement = arrange_in_space(&task, poll)?;
         let options = match extent {
             Extent::Auto if encloses_in_space(inputs, &arrangement, interior)? => {
@@ -44,10 +47,6 @@ impl Mesh {
     fn check_extent_in_space(&self, extent: Extent, interior: Interior) -> Result<()> {
         let has_rule = !matches!(interior, Interior::Auto | Interior::Seeds);
         match extent {
-            Extent::Hull | Extent::Box => {
-                let name = Choice::Extent(extent);
-                Err(Error::invalid(say!(name, " is for 2D; the mesh has dimension 3")))
-            }
             Extent::Boundary if self.given_facets().count() == 0 => {
                 let name = Choice::Extent(extent);
                 Err(Error::invalid(say!(name, " needs facets; the mesh has none")))
@@ -56,7 +55,9 @@ impl Mesh {
                 let rule = Choice::Interior(interior);
                 Err(Error::invalid(say!(rule, " needs facets; the mesh has none")))
             }
-            Extent::All if has_rule => Err(refused_rule(interior, extent)),
+            Extent::All | Extent::Hull | Extent::Box if has_rule => {
+                Err(refused_rule(interior, extent))
+            }
             _ => Ok(()),
         }
     }

@@ -108,7 +108,7 @@ pub enum ViolationKind {
     /// A vertex on a facet is farther from its plane than rounding makes it.
     FacetPlane = 114,
     /// Triangles of the caller's are one facet and may not be, or subfacets belong to no facet of
-    /// the caller's.
+    /// the caller's and are not on the boundary of a hull or box.
     FacetGroup = 115,
 
     /// An input's vertex does not exist or has other coordinates.
@@ -165,13 +165,15 @@ pub enum ViolationKind {
     RegionLabel = 224,
     /// The domain ends between two neighbours where no subsegment or subfacet is.
     DomainEnd = 225,
-    /// The domain has a region that is outside or a hole, or lacks one that is neither.
+    /// The domain has a region that is outside or a hole, or lacks one that is neither, or an input
+    /// is outside of the hull or box.
     DomainPlace = 226,
     /// The simplices with one label have another area than the polygons about them.
     RegionArea = 227,
     /// A simplex is marked as forced by a small angle between segments or facets, and is not.
     ForcedSimplex = 228,
-    /// The simplices with one label have another volume than the facets about them enclose.
+    /// The simplices with one label have another volume than the facets about them enclose, or what
+    /// the boundary of a hull or box encloses is not of its volume.
     RegionVolume = 229,
     /// A simplex is marked as flat in a facet without all of its vertices on one, or is not marked
     /// with them.

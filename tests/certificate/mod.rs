@@ -4,6 +4,7 @@ mod corruptions;
 mod enclosed;
 mod extents;
 mod facets;
+mod frames;
 mod geometry;
 mod histograms;
 mod interiors;

@@ -2,6 +2,7 @@
 //! certificate says so of every mesh here, at its third level.
 
 mod angles;
+mod extents;
 mod files;
 mod options;
 mod shapes;
@@ -71,6 +72,14 @@ pub fn cuboid(low: Point, high: Point) -> Solid {
         polygons: sides.iter().map(|side| side.to_vec()).collect(),
         regions: Vec::new(),
     }
+}
+
+/// Returns a place in a frame that is parallel to no axis.
+pub fn tilted([x, y, z]: Point) -> Point {
+    let (s, c) = 0.7f64.sin_cos();
+    let (x, y) = (c * x - s * y, s * x + c * y);
+    let (s, c) = 0.4f64.sin_cos();
+    [x + 0.1, c * y - s * z, s * y + c * z]
 }
 
 /// Returns the options of a domain with a bound of the radius-edge ratio; infinity asks for

@@ -17,13 +17,10 @@ fn what_does_not_go_with_facets_is_refused_by_name() {
     assert_eq!(dihedral, "options.min_dihedral is 5; it must be 0 with facets");
     let distance = refusal(&Options { distance_ratio: 0.5, ..plain.clone() });
     assert!(distance.starts_with("options.distance_ratio is 0.5; it must be 0"), "{distance}");
-    for extent in [Extent::Box, Extent::Hull] {
-        let message = refusal(&Options { extent, ..plain.clone() });
-        assert!(message.ends_with("is for 2D; the mesh has dimension 3"), "{message}");
+    for extent in [Extent::All, Extent::Box, Extent::Hull] {
+        let message = refusal(&Options { extent, interior: Interior::Parity, ..plain.clone() });
+        assert!(message.contains("does not go with"), "{message}");
     }
-    let (extent, interior) = (Extent::All, Interior::Parity);
-    let message = refusal(&Options { extent, interior, ..plain });
-    assert!(message.contains("does not go with"), "{message}");
 }
 
 /// Slivers would be mended by moving vertices, also those on segments.

@@ -1,16 +1,8 @@
 //! Shapes whose volumes are known.
 
-use super::{Point, Solid, assert_none_excused, bounded, cuboid, volume};
+use super::{Point, Solid, assert_none_excused, bounded, cuboid, tilted, volume};
 use netmesh::options::{Extent, Interior, Options};
 use netmesh::{NONE, Region};
-
-/// Returns a place in a frame that is parallel to no axis.
-fn tilted([x, y, z]: Point) -> Point {
-    let (s, c) = 0.7f64.sin_cos();
-    let (x, y) = (c * x - s * y, s * x + c * y);
-    let (s, c) = 0.4f64.sin_cos();
-    [x + 0.1, c * y - s * z, s * y + c * z]
-}
 
 #[test]
 fn a_cube_needs_no_vertex_of_its_own() {

@@ -12,19 +12,27 @@ use crate::arrangement::reach::Reach;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected, filled};
 use crate::numerics::orientation;
+use std::ops::Range;
 
 /// Number of polls' units of work for one edge or triangle.
 const WORK: u32 = 4;
 
-/// Inputs on edges and in facets.
+/// Inputs on edges and in facets. Distances, in units in the last place or in what rounding
+/// explains at most, are kept as the bits of doubles, which have their order.
 #[derive(Default)]
 pub(super) struct Isolated {
-    /// Edge, the smaller vertex first, and a vertex on it; sorted by edge, and along it.
-    on_edges: Vec<([u32; 2], u32)>,
-    /// Facet, and a vertex in it; sorted.
-    in_facets: Vec<(u32, u32)>,
-    /// Distances, in units in the last place, of those that are not exactly on an edge or facet.
-    pub offsets: Vec<f64>,
+    /// Edge, the smaller vertex first, a vertex on it, and its distance; sorted by edge, and along
+    /// it.
+    on_edges: Vec<([u32; 2], u32, u64)>,
+    /// Facet, a vertex in it, and its distance; sorted, each vertex once.
+    in_facets: Vec<(u32, u32, u64)>,
+}
+
+/// Place of an isolated input: the edge that it is on, or a facet.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Place {
+    Edge([u32; 2]),
+    Facet(u32),
 }
 
 impl Isolated {
@@ -32,11 +40,61 @@ impl Isolated {
         self.on_edges.is_empty() && self.in_facets.is_empty()
     }
 
-    /// Returns the vertices in a facet, after its number.
-    pub fn within(&self, facet: u32) -> &[(u32, u32)] {
-        let begin = self.in_facets.partition_point(|&(own, _)| own < facet);
-        let end = self.in_facets.partition_point(|&(own, _)| own <= facet);
-        &self.in_facets[begin..end]
+    /// Returns the distances of those that are not exactly on an edge or facet.
+    pub fn offsets(&self) -> impl Iterator<Item = f64> {
+        let on_edges = self.on_edges.iter().map(|on| on.2);
+        let all = on_edges.chain(self.in_facets.iter().map(|within| within.2));
+        all.filter(|&bits| bits > 0).map(f64::from_bits)
+    }
+
+    /// Returns the number of vertices in a facet.
+    pub fn count_within(&self, facet: u32) -> usize {
+        self.range_within(facet).len()
+    }
+
+    /// Returns the vertices in a facet.
+    pub fn within(&self, facet: u32) -> impl Iterator<Item = u32> {
+        self.in_facets[self.range_within(facet)].iter().map(|within| within.1)
+    }
+
+    fn range_within(&self, facet: u32) -> Range<usize> {
+        let begin = self.in_facets.partition_point(|within| within.0 < facet);
+        begin..self.in_facets.partition_point(|within| within.0 <= facet)
+    }
+
+    /// Returns the vertices on edges and in facets, in order.
+    pub fn vertices(&self) -> AllocResult<Vec<u32>> {
+        let on_edges = self.on_edges.iter().map(|on| on.1);
+        let mut all = collected(on_edges.chain(self.in_facets.iter().map(|within| within.1)))?;
+        all.sort_unstable();
+        all.dedup();
+        Ok(all)
+    }
+
+    /// Leaves each vertex one place of those that are near it: an edge if it is near one, with those
+    /// exactly on one first, otherwise the nearest facet. A vertex near several edges and exactly on
+    /// nothing is near a corner, and keeps no place; such are returned.
+    pub fn settle(&mut self) -> AllocResult<Vec<u32>> {
+        let on_edges = self.on_edges.iter().map(|&(edge, at, bits)| (at, Place::Edge(edge), bits));
+        let within = self.in_facets.iter();
+        let within = within.map(|&(facet, at, bits)| (at, Place::Facet(facet), bits));
+        let mut places = collected(on_edges.chain(within))?;
+        let is_facet = |place: &Place| matches!(place, Place::Facet(_));
+        // By the vertices, edges before facets, the nearest first.
+        places.sort_unstable_by_key(|&(at, place, bits)| (at, is_facet(&place), bits, place));
+        let (mut kept, mut homeless) = (Vec::new(), Vec::new());
+        for own in places.chunk_by(|a, b| a.0 == b.0) {
+            let edges = own.iter().filter(|(_, place, _)| !is_facet(place)).count();
+            if edges < 2 || own.iter().any(|place| place.2 == 0) {
+                kept.try_push((own[0].0, own[0].1))?;
+            } else {
+                homeless.try_push(own[0].0)?;
+            }
+        }
+        let is_kept = |at: u32, place: Place| kept.binary_search(&(at, place)).is_ok();
+        self.on_edges.retain(|&(edge, at, _)| is_kept(at, Place::Edge(edge)));
+        self.in_facets.retain(|&(facet, at, _)| is_kept(at, Place::Facet(facet)));
+        Ok(homeless)
     }
 
     /// Returns the parts into which the vertices on it divide an edge, from its first end on.
@@ -58,10 +116,10 @@ impl Isolated {
         [[a, b], [b, c], [c, a]].iter().any(|&edge| !self.on(edge).is_empty())
     }
 
-    fn on(&self, [from, to]: [u32; 2]) -> &[([u32; 2], u32)] {
+    fn on(&self, [from, to]: [u32; 2]) -> &[([u32; 2], u32, u64)] {
         let edge = [from.min(to), from.max(to)];
-        let begin = self.on_edges.partition_point(|(own, _)| *own < edge);
-        let end = self.on_edges.partition_point(|(own, _)| *own <= edge);
+        let begin = self.on_edges.partition_point(|on| on.0 < edge);
+        let end = self.on_edges.partition_point(|on| on.0 <= edge);
         &self.on_edges[begin..end]
     }
 
@@ -94,7 +152,7 @@ impl Isolated {
             near.collect(&reach, edge.map(|end| &points[end as usize]), &mut candidates)?;
             found.add_on_edge((edge, reach), &own, (&alone, &mut candidates), is_exact)?;
         }
-        debug_assert!(found.on_edges.is_sorted_by_key(|&(edge, _)| edge));
+        debug_assert!(found.on_edges.is_sorted_by_key(|on| on.0));
         found.find_in_facets(points, pieces, (&alone, &own), is_exact, poll)?;
         Ok(found)
     }
@@ -116,11 +174,8 @@ impl Isolated {
         candidates.retain(|&at| is_on(point(at)) || !is_exact && reach.holds(point(at)));
         candidates.sort_unstable_by_key(|&at| reach.position(point(at)));
         for &at in candidates.iter() {
-            self.on_edges.try_push((edge, alone[at as usize]))?;
             let offset = reach.offset_from_segment(point(at));
-            if offset > 0.0 {
-                self.offsets.try_push(offset)?;
-            }
+            self.on_edges.try_push((edge, alone[at as usize], offset.max(0.0).to_bits()))?;
         }
         Ok(())
     }
@@ -150,18 +205,15 @@ impl Isolated {
                 }
                 match leaf.offset(x).filter(|&offset| offset <= if is_exact { 0.0 } else { 1.0 }) {
                     Some(offset) => {
-                        self.in_facets.try_push((facet, vertex))?;
-                        if offset > 0.0 {
-                            self.offsets.try_push(offset)?;
-                        }
-                        Ok(())
+                        let bits = offset.max(0.0).to_bits();
+                        Ok(self.in_facets.try_push((facet, vertex, bits))?)
                     }
                     None => Ok(()),
                 }
             })?;
         }
         self.in_facets.sort_unstable();
-        self.in_facets.dedup();
+        self.in_facets.dedup_by_key(|within| (within.0, within.1));
         Ok(())
     }
 }
@@ -206,4 +258,11 @@ impl<'a> Leaf<'a> {
         };
         is_in.then(offset)
     }
+}
+
+/// Returns true if a point is strictly before a triangle, where that is counterclockwise, and is
+/// projected into it.
+pub(super) fn is_outside_of(corners: [&[f64; 3]; 3], x: &[f64; 3]) -> bool {
+    let [a, b, c] = corners;
+    orientation(&[a, b, c, x]).is_positive() && Leaf::new(corners).offset(x).is_some()
 }

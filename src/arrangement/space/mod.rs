@@ -12,6 +12,8 @@
 //!   has the edges at which facets end.
 //! - [`closed`] tells whether facets are closed surfaces, and whether they enclose something;
 //!   [`sides`] has what meets at an edge.
+//! - [`frame`] has the sides of a box or, by [`hull`], of the convex hull of the inputs; [`fit`]
+//!   leads them through the inputs, facets and segments on them.
 
 mod bends;
 mod boxes;
@@ -20,6 +22,9 @@ mod crossed;
 mod faults;
 #[cfg(test)]
 mod file_tests;
+mod fit;
+mod frame;
+mod hull;
 mod intersections;
 mod isolated;
 mod lines;
@@ -50,11 +55,13 @@ use crate::mesh::{
     Segments,
 };
 use crate::numerics::coordinates;
+use crate::options::Extent;
 use faults::{not_plane, refused};
+use fit::Fitted;
 use isolated::Isolated;
 use pieces::{Piece, Pieces};
 
-/// Facets and segments in space to arrange.
+/// Facets and segments in space to arrange, and the extent whose boundary they are in.
 #[derive(Clone, Copy)]
 pub struct TaskInSpace<'a> {
     pub inputs: &'a Inputs,
@@ -63,18 +70,21 @@ pub struct TaskInSpace<'a> {
     pub regions: &'a [Region],
     /// Largest angle in degrees by which triangles of one facet bend; 0 for what rounding explains.
     pub coplanar: f64,
+    /// A box or hull has facets of its own.
+    pub extent: Extent,
 }
 
-/// Returns the arrangement of facets and segments between inputs in space. Expected O((n + k) log
-/// n) for n triangles and segments, of which k pairs have bounding boxes that meet. `poll` is told
-/// of the work of each step, and may end the operation.
+/// Returns the arrangement of facets and segments between inputs in space, and of the boundary of a
+/// box or hull. Expected O((n + k) log n) for n triangles and segments, of which k pairs have bounding
+/// boxes that meet. `poll` is told of the work of each step, and may end the operation.
 ///
 /// # Errors
 /// `InvalidArgument` (facets or segments that meet in more than vertices and edges of both, facets
-/// that meet themselves, have no area or are not plane), `OutOfMemory`, and those of `poll`.
+/// that meet themselves, have no area or are not plane), `DegenerateInput` (a hull or box without
+/// volume), `Limit`, `OutOfMemory`, and those of `poll`.
 pub fn arrange_in_space(task: &TaskInSpace<'_>, poll: Poll<'_>) -> Result<Arrangement> {
     let TaskInSpace { inputs, facets, segments, .. } = *task;
-    let points = points_of(inputs)?;
+    let mut points = points_of(inputs)?;
     let mut pieces = Pieces::new(&points, task, &Isolated::default(), poll)?;
     if let Some((facet, off)) = &pieces.off_plane {
         return Err(not_plane(inputs, *facet, off));
@@ -86,11 +96,16 @@ pub fn arrange_in_space(task: &TaskInSpace<'_>, poll: Poll<'_>) -> Result<Arrang
     let mut arrangement = Arrangement { regions: copied(task.regions)?, ..Arrangement::default() };
     if let Some((through, isolated)) = through_isolated(&points, task, &pieces, poll)? {
         pieces = through;
-        isolated.offsets.iter().for_each(|&offset| arrangement.note_offset(offset));
+        isolated.offsets().for_each(|offset| arrangement.note_offset(offset));
     }
     match facets.are_triangles {
         true => add_surface(&points, task, &pieces.all, &mut arrangement, poll)?,
         false => add_polygons(facets, &pieces.all, &mut arrangement)?,
+    }
+    let own = points.len();
+    if let Some(fitted) = fit::fitted(&mut points, task.extent, &pieces, poll)? {
+        add_frame(&fitted, &mut arrangement)?;
+        arrangement.corners = copied(&points[own..])?;
     }
     let mut parts = with_capacity(segments.inputs.len())?;
     for piece in &pieces.all {
@@ -138,7 +153,8 @@ pub fn find_intersections(
     poll: Poll<'_>,
 ) -> Result<Vec<Intersection>> {
     let points = points_of(inputs)?;
-    let task = TaskInSpace { inputs, facets, segments, regions: &[], coplanar: 0.0 };
+    let (regions, coplanar, extent) = (&[], 0.0, Extent::All);
+    let task = TaskInSpace { inputs, facets, segments, regions, coplanar, extent };
     let pieces = Pieces::new(&points, &task, &Isolated::default(), poll)?;
     intersections::all(&points, &pieces, poll)
 }
@@ -173,6 +189,18 @@ fn add_surface(
     for (facet, own) in (0u32..).zip(of_facets.iter()) {
         let made = own.iter().map(|&at| FacetTriangle { vertices: triangles[at as usize], facet });
         arrangement.triangles.extend(made);
+    }
+    Ok(())
+}
+
+/// Adds the sides of a box or hull, which are facets of none of the caller's.
+fn add_frame(fitted: &Fitted, arrangement: &mut Arrangement) -> AllocResult<()> {
+    fitted.offsets.iter().for_each(|&offset| arrangement.note_offset(offset));
+    for own in fitted.triangles.chunk_by(|a, b| a.facet == b.facet) {
+        let facet = arrangement.facets.len() as u32;
+        arrangement.facets.try_push(ArrangedFacet { parent: NONE, balance: 1 })?;
+        let made = own.iter().map(|triangle| FacetTriangle { facet, ..*triangle });
+        arrangement.triangles.try_extend(&collected(made)?)?;
     }
     Ok(())
 }

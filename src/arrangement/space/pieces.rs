@@ -58,7 +58,7 @@ impl Piece {
         }
     }
 
-    fn of_triangle(vertices: [u32; 3], inner: u8, feature: Feature) -> Self {
+    pub fn of_triangle(vertices: [u32; 3], inner: u8, feature: Feature) -> Self {
         Self { vertices, count: 3, inner, feature }
     }
 
@@ -143,7 +143,7 @@ impl Maker<'_> {
             let corners = vertices.map(|vertex| &self.points[vertex as usize]);
             if Projection::of_triangle(corners).is_none() {
                 self.pieces.note_zero_area(feature, corners[0])?;
-            } else if self.isolated.splits(vertices) || !self.isolated.within(facet).is_empty() {
+            } else if self.isolated.splits(vertices) || self.isolated.count_within(facet) > 0 {
                 let polygon = Polygon::new([own].into_iter(), vertex, self.isolated, facet)?;
                 self.add_polygon(facet, &polygon, &[], poll)?;
             } else {

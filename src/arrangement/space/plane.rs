@@ -42,6 +42,11 @@ impl Plane {
         })
     }
 
+    /// Returns the three vertices that the plane goes through.
+    pub fn base(&self) -> [u32; 3] {
+        self.base
+    }
+
     /// Returns the vertex that is farthest from the plane, in units of what rounding explains;
     /// `None` if rounding explains all.
     ///
@@ -114,6 +119,11 @@ impl<'a> Gauge<'a> {
         !is_apart
     }
 
+    /// Returns a number that grows with the height of a point above the plane, but for roundings.
+    pub fn height(&self, x: &[f64; 3]) -> f64 {
+        (0..3).map(|k| self.normal[k] * (0.5 * x[k] - 0.5 * self.base[0][k])).sum()
+    }
+
     /// Returns the distance of a point from the plane, first in what rounding explains at most, and
     /// then as a length.
     pub fn measure(&self, x: &[f64; 3]) -> (f64, f64) {
@@ -157,7 +167,7 @@ fn area(projection: Projection, corners: [&[f64; 3]; 3]) -> (f64, i64) {
 }
 
 /// Returns a number that grows with the distance of a point from a line, but for roundings.
-fn from_line([a, b]: [&[f64; 3]; 2], x: &[f64; 3]) -> f64 {
+pub(super) fn from_line([a, b]: [&[f64; 3]; 2], x: &[f64; 3]) -> f64 {
     let way: [f64; 3] = std::array::from_fn(|k| 0.5 * b[k] - 0.5 * a[k]);
     let longest = way.iter().fold(0.0f64, |longest, step| longest.max(step.abs()));
     let u = way.map(|step| step / longest);

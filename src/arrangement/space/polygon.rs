@@ -6,7 +6,7 @@ use super::planar::Planar;
 use super::plane::Plane;
 use crate::arrangement::poll::Poll;
 use crate::error::Result;
-use crate::memory::{AllocResult, TryGrow, collected, enqueue, filled};
+use crate::memory::{AllocResult, TryGrow, collected, enqueue, filled, with_capacity};
 use crate::mesh::NONE;
 use std::collections::VecDeque;
 
@@ -42,10 +42,6 @@ pub(super) struct Tiling {
     pub lines_inside: usize,
 }
 
-fn copied_vertices(own: &[(u32, u32)]) -> AllocResult<Vec<u32>> {
-    collected(own.iter().map(|&(_, vertex)| vertex))
-}
-
 /// Bit for the interior of a triangle.
 pub(super) const INTERIOR: u8 = 1 << 0b111;
 
@@ -67,7 +63,7 @@ impl Polygon {
         isolated: &Isolated,
         facet: u32,
     ) -> AllocResult<Self> {
-        let mut vertices = copied_vertices(isolated.within(facet))?;
+        let mut vertices = collected(isolated.within(facet))?;
         let mut all = Vec::new();
         let mut is_first = true;
         for own in loops {
@@ -92,6 +88,28 @@ impl Polygon {
             }
             is_first &= own.len() < 3;
         }
+        Self::of_parts(vertices, all)
+    }
+
+    /// Makes a polygon of its rim, which has it on the left and counts where it runs through an edge
+    /// an odd number of times, and of lines and vertices in it.
+    pub fn of_rim(vertices: Vec<u32>, rim: &[[u32; 2]], lines: &[[u32; 2]]) -> AllocResult<Self> {
+        let (mut vertices, mut all) = (vertices, with_capacity(rim.len() + lines.len())?);
+        for (own, sides) in [(rim, 1), (lines, 0)] {
+            for &[from, to] in own {
+                vertices.try_extend(&[from, to])?;
+                let winding = if from < to { sides } else { -sides };
+                let (ends, sides) = ([from.min(to), from.max(to)], sides as u32);
+                all.push(PolygonEdge { ends, sides, winding });
+            }
+        }
+        let mut polygon = Self::of_parts(vertices, all)?;
+        polygon.edges.retain(|edge| edge.sides % 2 == 1 || edge.sides == 0);
+        Ok(polygon)
+    }
+
+    /// Makes a polygon of edges between vertices, which may be there several times.
+    fn of_parts(mut vertices: Vec<u32>, mut all: Vec<PolygonEdge>) -> AllocResult<Self> {
         vertices.sort_unstable();
         vertices.dedup();
         let at = |vertex: u32| vertices.partition_point(|&own| own < vertex) as u32;

@@ -49,7 +49,8 @@ impl Case {
 
     pub fn arranged(&self, coplanar: f64) -> Result<Arrangement> {
         let Self { inputs, facets, segments } = self;
-        let task = TaskInSpace { inputs, facets, segments, regions: &[], coplanar };
+        let (regions, extent) = (&[][..], Extent::Auto);
+        let task = TaskInSpace { inputs, facets, segments, regions, coplanar, extent };
         arrange_in_space(&task, &mut |_| Ok(()))
     }
 
@@ -274,7 +275,8 @@ fn surfaces_that_share_edges_enclose() {
 fn a_poll_may_end_the_work() {
     let case = Case::surface(&CUBE, &halves());
     let Case { inputs, facets, segments } = &case;
-    let task = TaskInSpace { inputs, facets, segments, regions: &[], coplanar: 0.0 };
+    let (regions, extent) = (&[][..], Extent::Auto);
+    let task = TaskInSpace { inputs, facets, segments, regions, coplanar: 0.0, extent };
     let mut polls = 0;
     arrange_in_space(&task, &mut |_| {
         polls += 1;

@@ -18,8 +18,9 @@ impl Mesher<'_, '_, 3> {
         arrangement: &Arrangement,
         cavity: &mut Cavity,
     ) -> Result<()> {
-        self.begin_to_conform(arrangement, cavity)?;
-        let vertices = self.vertices_of_inputs()?;
+        self.begin_to_conform(arrangement, &arrangement.corners, cavity)?;
+        let mut vertices = self.vertices_of_inputs()?;
+        self.add_points(&arrangement.corners, &mut vertices, cavity)?;
         let mut lines = with_capacity(arrangement.subsegments.len())?;
         for &Subsegment { ends, segment, balance } in &arrangement.subsegments {
             let ends = ends.map(|end| vertices[end as usize]);

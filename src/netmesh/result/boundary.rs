@@ -102,6 +102,16 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 simplices[subfacet as usize][side] = numbering.simplices[simplex];
             }
         }
+        let is_missing = |&subfacet: &u32| simplices[subfacet as usize] == [NONE; 2];
+        if let Some(missing) = (0..count as u32).find(is_missing) {
+            let corner = facets.get(missing).vertices[0];
+            let message = message!(
+                "doubles have no room for a triangle of facets near {}, which other vertices are \
+                 within roundings of",
+                At(self.state.delaunay.point(corner))
+            );
+            return Err(Error::new(ErrorKind::Limit, message));
+        }
         for subfacet in order {
             let vertices = facets.get(subfacet).vertices.map(|vertex| numbering.vertices[vertex]);
             boundary.subfacets.try_push(vertices)?;

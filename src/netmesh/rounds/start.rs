@@ -17,7 +17,7 @@ const ROOM: f64 = 1.25;
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Makes the outer cage, and puts all inputs on conflict lists.
     pub(in crate::netmesh) fn start_netmesh(&mut self, cavity: &mut Cavity) -> Result<()> {
-        let center = self.start_outer_cage(cavity)?;
+        let center = self.start_outer_cage(&[], cavity)?;
         self.assign_inputs(center)?;
         self.clean(cavity)
     }
@@ -25,7 +25,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Makes the outer cage around all inputs, centred at the input nearest to the middle, so that
     /// the root domain has a vertex at its centre (Definition 3) without a Steiner point. Returns
     /// that vertex.
-    pub(in crate::netmesh) fn start_outer_cage(&mut self, cavity: &mut Cavity) -> Result<VertexId> {
+    pub(in crate::netmesh) fn start_outer_cage(
+        &mut self,
+        further: &[[f64; D]],
+        cavity: &mut Cavity,
+    ) -> Result<VertexId> {
         let most = self.state.parameters.max_vertices;
         self.state.template =
             cage_template::<D>(self.state.parameters.delta, most, &mut self.watch)?;
@@ -34,7 +38,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         let center = self.central_input()?;
         let point = *self.state.delaunay.point(center);
-        let radius = self.root_radius(&point)?;
+        let radius = self.root_radius(&point, further)?;
         let sphere =
             cage_points(&self.state.template, &point, radius * self.state.parameters.cage_scale)?;
         if sphere.iter().flatten().any(|x| !x.is_finite()) || !(2.0 * radius).is_finite() {
@@ -148,8 +152,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Returns `root_scale` times the inputs' radius about `center`, but so much that doubles can
     /// express the outer cage, and that its hull surrounds the inputs with room to spare.
-    fn root_radius(&mut self, center: &[f64; D]) -> Result<f64> {
-        let mut radius = 0.0f64;
+    fn root_radius(&mut self, center: &[f64; D], further: &[[f64; D]]) -> Result<f64> {
+        let mut radius = further.iter().map(|x| distance(x, center)).fold(0.0f64, f64::max);
         for input in VertexId::below(self.state.inputs) {
             self.watch.poll_after(1)?;
             radius = radius.max(distance(self.state.delaunay.point(input), center));

@@ -16,7 +16,7 @@ impl Mesher<'_, '_, 2> {
         arrangement: &Arrangement,
         cavity: &mut Cavity,
     ) -> Result<()> {
-        self.begin_to_conform(arrangement, cavity)?;
+        self.begin_to_conform(arrangement, &[], cavity)?;
         let lines = self.lines_of(arrangement, cavity)?;
         self.cage_clusters(&lines, cavity)?;
         self.state.segments.chains = Chains::new(lines, self.state.delaunay.point_count())?;
@@ -29,12 +29,7 @@ impl Mesher<'_, '_, 2> {
     /// Returns the lines of the arrangement. Crossings become vertices.
     fn lines_of(&mut self, arrangement: &Arrangement, cavity: &mut Cavity) -> Result<Vec<Line>> {
         let mut vertices = self.vertices_of_inputs()?;
-        for x in &arrangement.crossings {
-            let x = std::array::from_fn(|axis| x[axis]);
-            let near = vertices.last().copied().unwrap_or(VertexId::new(0));
-            let vertex = self.crossing_at(&x, near, cavity)?;
-            vertices.try_push(vertex)?;
-        }
+        self.add_points(&arrangement.crossings, &mut vertices, cavity)?;
         let mut lines = with_capacity(arrangement.subsegments.len())?;
         for subsegment in &arrangement.subsegments {
             let ends = subsegment.ends.map(|end| vertices[end as usize]);
@@ -43,11 +38,54 @@ impl Mesher<'_, '_, 2> {
         }
         Ok(lines)
     }
+}
 
-    /// Finds the vertex at a point where segments cross, or makes it.
-    fn crossing_at(
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Inserts the inputs into the outer cage, which surrounds `further` points, too. No bound counts
+    /// until the mesh conforms.
+    pub(in crate::netmesh) fn begin_to_conform(
         &mut self,
-        x: &[f64; 2],
+        arrangement: &Arrangement,
+        further: &[[f64; D]],
+        cavity: &mut Cavity,
+    ) -> Result<()> {
+        self.state.stage.bound = f64::INFINITY;
+        let center = self.start_outer_cage(further, cavity)?;
+        self.insert_points(center, cavity)?;
+        self.state.stats.near_inputs = arrangement.near_inputs;
+        self.state.stats.farthest_near_input = arrangement.farthest_near_input;
+        Ok(())
+    }
+
+    /// Returns the vertex of each distinct input.
+    pub(in crate::netmesh) fn vertices_of_inputs(&self) -> AllocResult<Vec<VertexId>> {
+        let mut vertices = filled(self.state.inputs, VertexId::NONE)?;
+        for (vertex, &input) in self.order.iter().enumerate() {
+            vertices[input.index()] = VertexId::new(vertex);
+        }
+        Ok(vertices)
+    }
+
+    /// Appends to `vertices` those at further points of the arrangement: crossings of segments in the
+    /// plane, corners of a box in space.
+    pub(in crate::netmesh) fn add_points(
+        &mut self,
+        points: &[[f64; D]],
+        vertices: &mut Vec<VertexId>,
+        cavity: &mut Cavity,
+    ) -> Result<()> {
+        for x in points {
+            let near = vertices.last().copied().unwrap_or(VertexId::new(0));
+            let vertex = self.vertex_at_point(x, near, cavity)?;
+            vertices.try_push(vertex)?;
+        }
+        Ok(())
+    }
+
+    /// Finds the vertex at a point of the arrangement that is no input, or makes it.
+    fn vertex_at_point(
+        &mut self,
+        x: &[f64; D],
         near: VertexId,
         cavity: &mut Cavity,
     ) -> Result<VertexId> {
@@ -63,30 +101,5 @@ impl Mesher<'_, '_, 2> {
         self.state.hierarchy.set_domain(vertex, domain);
         self.insert_into_cavity(vertex, cavity)?;
         Ok(vertex)
-    }
-}
-
-impl<const D: usize> Mesher<'_, '_, D> {
-    /// Inserts the inputs into the outer cage. No bound counts until the mesh conforms.
-    pub(in crate::netmesh) fn begin_to_conform(
-        &mut self,
-        arrangement: &Arrangement,
-        cavity: &mut Cavity,
-    ) -> Result<()> {
-        self.state.stage.bound = f64::INFINITY;
-        let center = self.start_outer_cage(cavity)?;
-        self.insert_points(center, cavity)?;
-        self.state.stats.near_inputs = arrangement.near_inputs;
-        self.state.stats.farthest_near_input = arrangement.farthest_near_input;
-        Ok(())
-    }
-
-    /// Returns the vertex of each distinct input.
-    pub(in crate::netmesh) fn vertices_of_inputs(&self) -> AllocResult<Vec<VertexId>> {
-        let mut vertices = filled(self.state.inputs, VertexId::NONE)?;
-        for (vertex, &input) in self.order.iter().enumerate() {
-            vertices[input.index()] = VertexId::new(vertex);
-        }
-        Ok(vertices)
     }
 }

@@ -118,6 +118,12 @@ impl<const D: usize> State<D> {
         if is_inside.contains(&true) {
             return Ok(());
         }
+        let has_frame = matches!(extent, Extent::Hull | Extent::Box);
+        if has_frame && self.segments.regions.len() == 1 {
+            let what = "doubles have no room for the boundary of ";
+            let message = say!("{what}", Choice::Extent(extent), ", on which inputs are too near");
+            return Err(Error::new(ErrorKind::Limit, message));
+        }
         refuse(say!(
             "{why}, with ",
             Choice::Extent(extent),

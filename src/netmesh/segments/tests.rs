@@ -425,12 +425,13 @@ fn points_alone_are_cut_to_hull_and_box() {
 #[test]
 fn extents_that_cannot_be_are_refused() {
     let refusal = |dim: usize, extent| {
-        let mut mesh = Mesh::new(dim, 2, &[0.0, 0.0, 0.0, 1.0, 2.0, 3.0][..2 * dim], 0).unwrap();
+        let mut mesh =
+            Mesh::new(dim, 2, &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0][..2 * dim], 0).unwrap();
         mesh.run(&Options { extent, ..Options::default() }, None).unwrap_err().message().to_owned()
     };
     assert!(
-        refusal(3, Extent::Box)
-            == "options.extent = Extent::Box is for 2D; the mesh has dimension 3"
+        refusal(4, Extent::Box)
+            == "options.extent = Extent::Box is for 2D and 3D; the mesh has dimension 4"
     );
     assert!(refusal(2, Extent::Boundary).contains("needs segments; the mesh has none"));
 }

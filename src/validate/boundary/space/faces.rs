@@ -3,7 +3,7 @@
 use super::super::edges::{at_vertices, between};
 use super::super::walls::Walls;
 use crate::error::message;
-use crate::memory::{AllocResult, Lists, filled, with_capacity};
+use crate::memory::{AllocResult, Lists, TryGrow, copied, filled, with_capacity};
 use crate::mesh::NONE;
 use crate::quality::view::View;
 use crate::validate::report::{Findings, Violation, ViolationKind};
@@ -15,6 +15,9 @@ pub(super) struct Faces {
     pub at: Lists,
     /// Vertex -> the subfacets that have it.
     pub subfacets_at: Lists,
+    /// Subfacet -> its facet: the parent, or for those of a hull or box a number beyond all parents,
+    /// which those have in common that are connected without crossing a subsegment.
+    pub facets: Vec<u32>,
 }
 
 impl Faces {
@@ -24,7 +27,44 @@ impl Faces {
         let subfacets_at = Lists::of_pairs(view.vertex_count(), || {
             subfacets.iter().enumerate().map(|(slot, &vertex)| (vertex, (slot / 3) as u32))
         })?;
-        Ok(Self { walls: walls(view)?, at: at_vertices(view)?, subfacets_at })
+        let (at, facets) = (at_vertices(view)?, copied(&view.mesh.boundary.subfacet_parents)?);
+        let mut faces = Self { walls: walls(view)?, at, subfacets_at, facets };
+        faces.number_parts(view)?;
+        Ok(faces)
+    }
+
+    /// Gives subfacets without a parent the numbers of their facets.
+    fn number_parts(&mut self, view: View<'_, 3>) -> AllocResult<()> {
+        let own = self.facets.partition_point(|&parent| parent != NONE);
+        let mut next = self.facets[..own].last().map_or(0, |&parent| parent + 1);
+        let (mut waiting, mut beside) = (Vec::new(), Vec::new());
+        for first in own..self.facets.len() {
+            if self.facets[first] != NONE {
+                continue;
+            }
+            self.facets[first] = next;
+            waiting.try_push(first)?;
+            while let Some(subfacet) = waiting.pop() {
+                let [a, b, c] = view.mesh.boundary.subfacets[subfacet];
+                for edge in [[a, b], [b, c], [c, a]] {
+                    if self.subsegment(view, edge).is_some() {
+                        continue;
+                    }
+                    beside.clear();
+                    for other in self.beside(view, edge) {
+                        beside.try_push(other as usize)?;
+                    }
+                    for &other in &beside {
+                        if self.facets[other] == NONE {
+                            self.facets[other] = next;
+                            waiting.try_push(other)?;
+                        }
+                    }
+                }
+            }
+            next += 1;
+        }
+        Ok(())
     }
 
     /// Returns the subsegment between two vertices.

@@ -1,25 +1,24 @@
 //! Level 3: the simplices that are flat in a facet are those with all vertices on one.
 
+use super::faces::Faces;
 use crate::error::message;
 use crate::memory::{AllocResult, Lists, TryGrow, collected};
 use crate::mesh::NONE;
 use crate::quality::view::View;
 use crate::validate::report::{Findings, Violation, ViolationKind};
 
-/// Returns for each vertex the facets that it is on, ascending, by the numbers of their parents.
-pub(super) fn facets_at(view: View<'_, 3>) -> AllocResult<Lists> {
-    let boundary = &view.mesh.boundary;
-    let subfacets = boundary.subfacets.iter().zip(&boundary.subfacet_parents);
-    let of_facets = subfacets.filter(|&(_, &parent)| parent != NONE);
-    let pairs = |(vertices, &parent): (&[u32; 3], &u32)| vertices.map(|vertex| (vertex, parent));
-    let mut pairs = collected(of_facets.flat_map(pairs))?;
+/// Returns for each vertex the facets that it is on, ascending.
+pub(super) fn facets_at(view: View<'_, 3>, faces: &Faces) -> AllocResult<Lists> {
+    let subfacets = view.mesh.boundary.subfacets.iter().zip(&faces.facets);
+    let pairs = |(vertices, &facet): (&[u32; 3], &u32)| vertices.map(|vertex| (vertex, facet));
+    let mut pairs = collected(subfacets.flat_map(pairs))?;
     pairs.sort_unstable();
     pairs.dedup();
     Lists::of_pairs(view.vertex_count(), || pairs.iter().copied())
 }
 
-pub(super) fn check(view: View<'_, 3>, findings: &mut Findings) -> AllocResult<()> {
-    let facets_at = facets_at(view)?;
+pub(super) fn check(view: View<'_, 3>, faces: &Faces, findings: &mut Findings) -> AllocResult<()> {
+    let facets_at = facets_at(view, faces)?;
     let mut expected: Vec<u32> = Vec::new();
     for simplex in 0..view.simplex_count() {
         let vertices = view.simplex(simplex);

@@ -19,7 +19,7 @@ const SMALL_ANGLE: f64 = 0.5 - 1e-9;
 /// commonest, so that roundings do not count.
 const SMALL_DIHEDRAL: f64 = 1e-9;
 
-/// Facet by its parent, or a line by its first subsegment.
+/// Facet by its number, or a line by its first subsegment.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Feature {
     Facet(u32),
@@ -70,7 +70,7 @@ impl<'a> Features<'a> {
                 lines.join(one as usize, other as usize);
             }
         }
-        let (facets_at, small) = (facets_at(view)?, Vec::new());
+        let (facets_at, small) = (facets_at(view, faces)?, Vec::new());
         let mut features = Self { view, faces, facets_at, lines, small };
         features.add_dihedral_angles()?;
         for vertex in 0..inputs.min(view.vertex_count()) {
@@ -90,8 +90,8 @@ impl<'a> Features<'a> {
         direction(self.view.point(from), self.view.point(to))
     }
 
-    fn parent(&self, subfacet: u32) -> u32 {
-        self.view.mesh.boundary.subfacet_parents[subfacet as usize]
+    fn facet(&self, subfacet: u32) -> u32 {
+        self.faces.facets[subfacet as usize]
     }
 
     /// Adds the pairs of facets that meet at a subsegment below 90 degrees.
@@ -108,7 +108,7 @@ impl<'a> Features<'a> {
             for (at, (one, first)) in pages.iter().enumerate() {
                 for (other, second) in &pages[at + 1..] {
                     if cosine(first, second) > SMALL_DIHEDRAL {
-                        let [one, other] = [*one, *other].map(|page| self.parent(page));
+                        let [one, other] = [*one, *other].map(|page| self.facet(page));
                         self.add(Feature::Facet(one), Feature::Facet(other))?;
                     }
                 }
@@ -132,8 +132,8 @@ impl<'a> Features<'a> {
                 }
             }
             for &subfacet in self.faces.subfacets_at.of(vertex as usize) {
-                let parent = self.parent(subfacet);
-                let of = |page: u32| self.parent(page) == parent;
+                let facet = self.facet(subfacet);
+                let of = |page: u32| self.facet(page) == facet;
                 if self.faces.beside(view, [vertex, end]).any(of) {
                     continue;
                 }
@@ -142,9 +142,9 @@ impl<'a> Features<'a> {
                 let sector = [self.direction(vertex, a), self.direction(vertex, b)];
                 if largest_cosine(&own, &sector) > SMALL_ANGLE {
                     let line = Feature::Line(self.lines.find(one as usize) as u32);
-                    self.add(line, Feature::Facet(parent))?;
+                    self.add(line, Feature::Facet(facet))?;
                     for page in self.faces.beside(view, [vertex, end]) {
-                        self.add(Feature::Facet(self.parent(page)), Feature::Facet(parent))?;
+                        self.add(Feature::Facet(self.facet(page)), Feature::Facet(facet))?;
                     }
                 }
             }
@@ -168,7 +168,7 @@ impl<'a> Features<'a> {
         let line = Feature::Line(self.lines.find(subsegment as usize) as u32);
         let ends = self.view.mesh.boundary.subsegments[subsegment as usize];
         let beside = self.faces.beside(self.view, ends);
-        collected(beside.map(|page| Feature::Facet(self.parent(page))).chain([line]))
+        collected(beside.map(|page| Feature::Facet(self.facet(page))).chain([line]))
     }
 
     fn far_end(&self, subsegment: u32, vertex: u32) -> u32 {

@@ -6,17 +6,20 @@
 //!   Delaunay; `ways`: chains of subsegments lead along segments and along the edges of facets, and
 //!   there are no others; `groups`: which triangles of a surface are one facet; `tiling`: the
 //!   subfacets of a facet tile it in the projection along an axis; `plane`: their vertices are as
-//!   near to its plane as rounding lets them be.
-//! - Level 3: what regions have in common with the plane's, with the volumes of labels; `flat`: the
-//!   simplices within facets; `forced`: those that small angles excuse.
+//!   near to its plane as rounding lets them be; `frame`: the boundary of a hull or box.
+//! - Level 3: what regions have in common with the plane's, with the volumes of labels; `frame`: the
+//!   volume of a hull, by [`hull`], or box; `flat`: the simplices within facets; `forced`: those that
+//!   small angles excuse.
 
 mod arrays;
 mod directions;
 mod faces;
 mod flat;
 mod forced;
+mod frame;
 mod given;
 mod groups;
+mod hull;
 mod inside;
 mod plane;
 #[cfg(test)]
@@ -47,16 +50,18 @@ pub(super) fn check_geometry(
     }
     let faces = Faces::new(view)?;
     faces::check(view, &faces, findings)?;
-    let Some(Outline { segments, facets, .. }) = outline else {
-        return tiling::check_rims(view, &faces, findings);
-    };
     let mut ways = Ways::new(inputs, view, &faces)?;
+    let Some(Outline { segments, facets, .. }) = outline else {
+        tiling::check_rims(view, &faces, findings)?;
+        return frame::check(&mut ways, findings);
+    };
     ways.check_segments(segments, findings)?;
     if facets.are_triangles {
         groups::check(facets, &mut ways, findings)?;
     } else {
         check_polygons(inputs, facets, &mut ways, findings)?;
     }
+    frame::check(&mut ways, findings)?;
     ways.check_owners(findings);
     Ok(())
 }
@@ -100,12 +105,14 @@ pub(super) fn check_regions(
         regions::check(outline, view, &faces.walls, steps, promised, findings)?;
         areas::check(view, &faces.walls, promised.count, findings)?;
     }
-    flat::check(view, findings)?;
+    frame::check_volume(inputs, view, &faces, findings)?;
+    flat::check(view, &faces, findings)?;
     forced::check(inputs, view, &faces, findings)
 }
 
 fn has_boundary(outline: Option<Outline<'_>>, view: View<'_, 3>) -> bool {
     view.mesh.boundary.has_any()
+        || frame::has_frame(view)
         || !view.mesh.boundary.subfacets.is_empty()
         || outline.is_some_and(|outline| outline.segments.count() + outline.facets.count() > 0)
 }

@@ -13,6 +13,7 @@ use super::super::chains::BENT;
 use super::super::exact::unit_in_last_place;
 use super::super::sum::Sum;
 use super::given::Facet;
+use super::tiling::name_of;
 use super::ways::Ways;
 use crate::error::message;
 use crate::quality::length::{exponent_of, scale};
@@ -111,6 +112,32 @@ impl Slab {
     }
 }
 
+/// Checks that the inputs of a side of a hull are in a plane: up to rounding, and up to the bends
+/// between triangles that count as none.
+pub(super) fn check_side(facet: &Facet, ways: &Ways<'_>, findings: &mut Findings) {
+    const BENDS: f64 = 1e-9;
+    let points = facet.corners.iter().map(|&corner| ways.input(corner));
+    let Slab { low, high } = Slab::of(&facet.normal, points.clone());
+    let mut excess = high;
+    excess.add(&low, true);
+    for (axis, component) in facet.normal.iter().enumerate() {
+        let over =
+            |of: fn(f64, f64) -> f64, first: f64| points.clone().map(|x| x[axis]).fold(first, of);
+        let (least, most) = (over(f64::min, f64::INFINITY), over(f64::max, f64::NEG_INFINITY));
+        let unit = unit_in_last_place(least.abs().max(most.abs()));
+        excess.add_product(&[-component.abs(), 4.0 * BENT, unit]);
+        excess.add_product(&[-component.abs(), BENDS, most]);
+        excess.add_product(&[component.abs(), BENDS, least]);
+    }
+    findings.check(excess.sign() != Ordering::Greater, || {
+        let corner = facet.corners.first().copied().unwrap_or(0);
+        let message = message!(
+            "a part of the hull between subsegments, at vertex {corner}, is not in one plane"
+        );
+        Violation::new(ViolationKind::FacetPlane, message).vertex(corner as usize)
+    });
+}
+
 /// Returns true if a height is larger than that of a point.
 fn exceeds(height: &Sum, normal: &[f64; 3], point: &[f64; 3]) -> bool {
     let mut difference = height.clone();
@@ -147,8 +174,8 @@ pub(super) fn check(
         let limit = if ways.is_input(vertex) { &wide } else { &slab };
         findings.check(limit.holds(normal, ways.view.point(vertex)), || {
             let message = message!(
-                "vertex {vertex} on facet {} is farther from its plane than rounding makes it",
-                facet.parent
+                "vertex {vertex} on {} is farther from its plane than rounding makes it",
+                name_of(facet.parent)
             );
             Violation::new(ViolationKind::FacetPlane, message).vertex(vertex as usize)
         });

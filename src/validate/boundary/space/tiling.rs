@@ -18,11 +18,20 @@ use crate::mesh::NONE;
 use crate::quality::view::View;
 use crate::validate::report::{Findings, Violation, ViolationKind};
 use crate::validate::signs::{Robust, Signs};
+use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::ops::Range;
 
 /// Edge by its ends, the lower first, and true if it runs from there.
 pub(super) type Directed = ([u32; 2], bool);
+
+/// Returns the words for a facet, or for the boundary of an extent.
+pub(super) fn name_of(facet: u32) -> Cow<'static, str> {
+    match facet {
+        NONE => "the boundary of the extent".into(),
+        facet => message!("facet {facet}").into(),
+    }
+}
 
 fn directed([a, b]: [u32; 2]) -> Directed {
     ([a.min(b), a.max(b)], a < b)
@@ -86,7 +95,7 @@ pub(super) fn check_rims(
     Ok(())
 }
 
-fn check_orientations(
+pub(super) fn check_orientations(
     facet: &Facet,
     view: View<'_, 3>,
     subfacets: &[[u32; 3]],
@@ -99,8 +108,8 @@ fn check_orientations(
         findings.check(sign == Ordering::Greater, || {
             let word = if sign == Ordering::Equal { "flat" } else { "turned round" };
             let message = message!(
-                "the subfacet {vertices:?} of facet {} is {word} in its projection",
-                facet.parent
+                "the subfacet {vertices:?} of {} is {word} in its projection",
+                name_of(facet.parent)
             );
             Violation::new(ViolationKind::FacetTriangle, message).vertex(vertices[0] as usize)
         });
@@ -132,8 +141,9 @@ pub(super) fn rim(
         findings.check(same.len() == 2 && same[0].1 != same[1].1, || {
             let ([a, b], count) = (same[0].0, same.len());
             let message = message!(
-                "the edge from vertex {a} to {b} is in {count} subfacets of facet {facet}, which \
-                 are not one on each side"
+                "the edge from vertex {a} to {b} is in {count} subfacets of {}, which are not one \
+                 on each side",
+                name_of(facet)
             );
             Violation::new(ViolationKind::FacetTiling, message).vertex(a as usize)
         });

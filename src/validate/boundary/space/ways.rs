@@ -5,6 +5,7 @@ use super::super::chains::{Chains, Way, describe, describe_distance};
 use super::super::exact::{meets, unit_in_last_place};
 use super::faces::Faces;
 use super::given;
+use super::tiling::name_of;
 use crate::error::message;
 use crate::memory::{AllocResult, TryGrow, filled};
 use crate::mesh::{Inputs, NONE, Segments};
@@ -97,7 +98,8 @@ impl<'a> Ways<'a> {
         findings.check(is_found, || {
             let [from, to] = ends;
             let message = message!(
-                "no subsegments lead along an edge of facet {facet} from vertex {from} to {to}"
+                "no subsegments lead along an edge of {} from vertex {from} to {to}",
+                name_of(facet)
             );
             Violation::new(ViolationKind::SegmentChain, message).vertex(from as usize)
         });
@@ -161,14 +163,18 @@ impl<'a> Ways<'a> {
     }
 
     /// Checks that every subsegment is on a chain, and of the first segment that has it. The
-    /// boundary of an extent has subsegments of its own.
+    /// boundary of a hull has subsegments of its own.
     pub fn check_owners(&self, findings: &mut Findings) {
         let boundary = &self.view.mesh.boundary;
-        let has_frame = matches!(self.view.mesh.parameters.extent, Extent::Hull | Extent::Box);
+        let has_own = self.view.mesh.parameters.extent == Extent::Hull;
+        let is_of_frame = |ends: [u32; 2]| {
+            let mut beside = self.faces.beside(self.view, ends);
+            has_own && beside.any(|at| boundary.subfacet_parents[at as usize] == NONE)
+        };
         for (at, (&[a, b], &parent)) in
             boundary.subsegments.iter().zip(&boundary.parents).enumerate()
         {
-            let is_known = self.is_covered[at] || parent == NONE && has_frame;
+            let is_known = self.is_covered[at] || parent == NONE && is_of_frame([a, b]);
             findings.check(is_known && parent == self.owners[at], || {
                 let message = message!(
                     "subsegment {at} from vertex {a} to {b} is of segment {parent}, and no chain \

@@ -202,7 +202,7 @@ void every_option_arrives() {
     refused(__LINE__, "algorithm", [](options& o) { o.algorithm = static_cast<nm_algorithm>(77); });
     refused(__LINE__, "ordering", [](options& o) { o.ordering = static_cast<nm_ordering>(77); });
     refused(__LINE__, "gives_way", [](options& o) { o.gives_way = static_cast<nm_gives_way>(77); });
-    refused(__LINE__, "extent", [](options& o) { o.extent = NM_EXTENT_HULL; });  // in 2D only
+    refused(__LINE__, "extent", [](options& o) { o.extent = static_cast<nm_extent>(77); });
     refused(__LINE__, "crossings", [](options& o) { o.crossings = static_cast<nm_crossings>(77); });
     refused(__LINE__, "interior", [](options& o) { o.interior = NM_INTERIOR_PARITY; });  // of curves
     refused(__LINE__, "coplanar", [](options& o) { o.coplanar = 11; });

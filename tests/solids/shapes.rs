@@ -1,6 +1,7 @@
 //! Shapes whose volumes are known.
 
 use super::{Point, Solid, assert_none_excused, bounded, cuboid, tilted, volume};
+use crate::random::Random;
 use netmesh::options::{Extent, Interior, Options};
 use netmesh::{NONE, Region};
 
@@ -131,4 +132,30 @@ fn the_same_comes_of_the_same() {
     assert!(first.points.iter().map(bits).eq(second.points.iter().map(bits)));
     assert_eq!(first.simplices, second.simplices);
     assert_eq!(first.boundary.subfacets, second.boundary.subfacets);
+}
+
+/// Inputs up to some units beside the sides of a solid are on them, or are not. Other vertices of a
+/// side are in the plane that the caller's polygon has.
+#[test]
+fn sides_stay_plane_beside_inputs_that_are_nearly_on_them() {
+    let mut random = Random::new(42);
+    for units in [1.0, 8.0] {
+        let mut solid = cuboid([0.0; 3], [1.0; 3]);
+        for at in 0..40 {
+            let mut x: Point = std::array::from_fn(|_| random.unit());
+            let inside = units * random.unit() * f64::EPSILON;
+            x[at % 3] = if at % 2 == 0 { inside } else { 1.0 - inside };
+            solid.points.push(x);
+        }
+        solid.moved(tilted).run(&bounded(2.0));
+    }
+    // Beside an edge, and lower by x than its ends, from where planes are measured.
+    let mut solid = cuboid([0.0; 3], [1.0; 3]);
+    for _ in 0..20 {
+        let beside = [random.unit(), random.unit()].map(|part| 2.5 * f64::EPSILON * part);
+        solid.points.push([-beside[0], random.unit(), -beside[1]]);
+    }
+    let (sine, cosine) = 0.4f64.sin_cos();
+    let turned = solid.moved(|[x, y, z]| [x, cosine * y - sine * z, sine * y + cosine * z]);
+    turned.run(&bounded(2.0));
 }

@@ -27,10 +27,12 @@ fn power_below(x: f64) -> f64 {
 }
 
 impl Plane {
-    /// Returns the plane with the sum of the normals of `triangles`, through the first of their
-    /// vertices.
+    /// Returns the plane with the sum of the normals of `triangles`, through the lowest of their
+    /// vertices by x, y and z. That is a corner of the facet, and no input beside it that the
+    /// triangles go through.
     pub fn of(triangles: &[[[f64; 3]; 3]]) -> Self {
-        let origin = triangles[0][0];
+        let lower = |x: [f64; 3], y: [f64; 3]| if y < x { y } else { x };
+        let origin = triangles.iter().flatten().copied().fold(triangles[0][0], lower);
         let reach =
             triangles.iter().flatten().flat_map(|x| (0..3).map(|k| (x[k] - origin[k]).abs()));
         let power = power_below(reach.fold(0.0, f64::max));

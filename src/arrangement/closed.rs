@@ -2,7 +2,7 @@
 //! enclose, and do they enclose anything.
 
 use crate::error::{Choice, Error, ErrorKind, Result, say};
-use crate::memory::{collected, filled};
+use crate::memory::{Sets, filled};
 use crate::mesh::{Arrangement, Inputs, Segments};
 use crate::options::Interior;
 
@@ -48,26 +48,15 @@ pub fn encloses(
 /// ends, a cycle of them is the only thing that can divide the plane.
 fn has_cycle(distinct_inputs: usize, arrangement: &Arrangement) -> Result<bool> {
     let vertices = distinct_inputs + arrangement.crossings.len();
-    // A forest with a tree for each connected part: vertex -> a vertex nearer to the root.
-    let mut parents = collected(0..vertices as u32)?;
+    let mut connected = Sets::new(vertices)?;
     for piece in &arrangement.subsegments {
-        let [first, second] = piece.ends.map(|end| root_of(&mut parents, end));
+        let [first, second] = piece.ends.map(|end| connected.find(end as usize));
         if first == second {
             return Ok(true);
         }
-        parents[first as usize] = second;
+        connected.join(first, second);
     }
     Ok(false)
-}
-
-/// Returns the root of the vertex's tree, and halves the path to it.
-fn root_of(parents: &mut [u32], vertex: u32) -> u32 {
-    let mut vertex = vertex as usize;
-    while parents[vertex] as usize != vertex {
-        parents[vertex] = parents[parents[vertex] as usize];
-        vertex = parents[vertex] as usize;
-    }
-    vertex as u32
 }
 
 /// Returns the first vertex at which a curve is open, with the numbers of segments that begin and

@@ -12,7 +12,7 @@ use crate::numerics::distance;
 /// Distance of places on an axis, relative to their coordinates.
 const APART: f64 = 1.0 / (1u64 << 30) as f64;
 
-/// Vertices that segments must share, beside inputs and crossings.
+/// Vertices that segments must share; some are inputs or crossings of theirs.
 #[derive(Default)]
 pub struct SharedVertices {
     pub points: Vec<[f64; 2]>,

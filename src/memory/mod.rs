@@ -8,6 +8,7 @@ mod id;
 mod lists;
 mod pages;
 mod prefetch;
+mod sets;
 
 use crate::error::{Error, ErrorKind};
 pub use array::Array;
@@ -15,6 +16,7 @@ pub use id::Id;
 pub use lists::Lists;
 use pages::prefer_large_pages;
 pub use prefetch::prefetch_at;
+pub use sets::Sets;
 use std::collections::{TryReserveError, VecDeque};
 
 /// Resource that ran out. It takes one byte: results that carry it cost as much as a `bool`.

@@ -2,7 +2,7 @@
 
 use super::report::{Findings, Violation, ViolationKind};
 use crate::error::message;
-use crate::memory::{AllocResult, TryGrow, collected, filled, with_capacity};
+use crate::memory::{AllocResult, Sets, TryGrow, filled, with_capacity};
 use crate::mesh::NONE;
 use crate::quality::view::View;
 
@@ -130,31 +130,6 @@ fn check_links<const D: usize>(
         }
     }
     Ok(())
-}
-
-/// Disjoint sets with path halving. A set is called by its least item.
-pub(super) struct Sets {
-    parents: Vec<u32>,
-}
-
-impl Sets {
-    pub fn new(count: usize) -> AllocResult<Self> {
-        Ok(Self { parents: collected(0..count as u32)? })
-    }
-
-    pub fn find(&mut self, mut item: usize) -> usize {
-        while self.parents[item] as usize != item {
-            let above = self.parents[item] as usize;
-            self.parents[item] = self.parents[above];
-            item = above;
-        }
-        item
-    }
-
-    pub fn join(&mut self, a: usize, b: usize) {
-        let (a, b) = (self.find(a), self.find(b));
-        self.parents[a.max(b)] = a.min(b) as u32;
-    }
 }
 
 #[cfg(test)]

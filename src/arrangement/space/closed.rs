@@ -3,7 +3,7 @@
 
 use super::sides::{Side, Sides};
 use crate::error::{Choice, Error, ErrorKind, Result, say};
-use crate::memory::{TryGrow, collected};
+use crate::memory::{Sets, TryGrow, collected};
 use crate::mesh::{Arrangement, Inputs};
 use crate::numerics::{coordinates, orientation};
 use crate::options::Interior;
@@ -101,8 +101,8 @@ fn open_at(inputs: &Inputs, ends: [u32; 2], [up, down]: [u64; 2], interior: Inte
 /// all that bounds one region.
 fn separates(inputs: &Inputs, arrangement: &Arrangement) -> Result<bool> {
     let triangles = collected(arrangement.triangles.iter().map(|triangle| triangle.vertices))?;
-    // A forest with a tree for each connected set of fronts (2 i) and backs (2 i + 1).
-    let mut parents = collected(0..2 * triangles.len())?;
+    // Connected fronts (2 i) and backs (2 i + 1).
+    let mut connected = Sets::new(2 * triangles.len())?;
     let mut around: Vec<Side> = Vec::new();
     for group in Sides::of_triangles(&triangles)?.groups() {
         around.clear();
@@ -115,13 +115,12 @@ fn separates(inputs: &Inputs, arrangement: &Arrangement) -> Result<bool> {
             // Turning counterclockwise about the edge, a triangle that runs up is met at its back.
             let front = usize::from(!one.runs_up(&triangles));
             let back = usize::from(next.runs_up(&triangles));
-            let ways = [2 * one.triangle as usize + front, 2 * next.triangle as usize + back];
-            let [a, b] = ways.map(|side| root_of(&mut parents, side));
-            parents[a] = b;
+            let (from, to) = (2 * one.triangle as usize + front, 2 * next.triangle as usize + back);
+            connected.join(from, to);
         }
     }
     let mut sides = 0..triangles.len();
-    Ok(sides.any(|at| root_of(&mut parents, 2 * at) != root_of(&mut parents, 2 * at + 1)))
+    Ok(sides.any(|at| connected.find(2 * at) != connected.find(2 * at + 1)))
 }
 
 /// Sorts the triangles at an edge counterclockwise, as the edge points to the eye.
@@ -145,14 +144,4 @@ fn sort_around(inputs: &Inputs, triangles: &[[u32; 3]], around: &mut [Side]) {
             _ => Ordering::Equal,
         })
     });
-}
-
-/// Returns the root of a tree, and halves the path to it.
-fn root_of(parents: &mut [usize], side: usize) -> usize {
-    let mut side = side;
-    while parents[side] != side {
-        parents[side] = parents[parents[side]];
-        side = parents[side];
-    }
-    side
 }

@@ -15,7 +15,7 @@ use super::polygon::{INTERIOR, Polygon};
 use super::sides::Sides as Edges;
 use crate::arrangement::poll::Poll;
 use crate::error::{Choice, Error, ErrorKind, Result, say};
-use crate::memory::{AllocResult, Lists, TryGrow, collected, copied, filled, with_capacity};
+use crate::memory::{AllocResult, Lists, Sets, TryGrow, collected, copied, filled, with_capacity};
 use crate::mesh::{FacetTriangle, Feature};
 use crate::options::Extent;
 
@@ -203,16 +203,15 @@ impl Given<'_> {
 
     /// Adds the triangles of a side, in parts between the caller's edges.
     fn add_parts(&self, triangles: &[[u32; 3]], fitted: &mut Fitted) -> AllocResult<()> {
-        let mut parts = collected(0..triangles.len())?;
+        let mut parts = Sets::new(triangles.len())?;
         for group in Edges::of_triangles(triangles)?.groups().filter(|group| group.len() == 2) {
             if self.edges.binary_search(&group[0].ends).is_err() {
-                let [x, y] = [0, 1].map(|at| root_of(&mut parts, group[at].triangle as usize));
-                parts[x.max(y)] = x.min(y);
+                parts.join(group[0].triangle as usize, group[1].triangle as usize);
             }
         }
         let mut order = with_capacity(triangles.len())?;
         for at in 0..triangles.len() {
-            order.push((root_of(&mut parts, at), at));
+            order.push((parts.find(at), at));
         }
         order.sort_unstable();
         for part in order.chunk_by(|a, b| a.0 == b.0) {
@@ -327,13 +326,4 @@ impl OnSides {
         let vertices = Lists::of_pairs(frame.count as usize, || pairs.iter().copied())?;
         Ok(Self { at, vertices, rims: parts })
     }
-}
-
-/// Returns the root of an element's tree, and shortens the way there.
-fn root_of(parents: &mut [usize], mut at: usize) -> usize {
-    while parents[at] != at {
-        parents[at] = parents[parents[at]];
-        at = parents[at];
-    }
-    at
 }

@@ -4,9 +4,10 @@ use super::hull::{Hull, Role, convex_hull, corners_of_simplex};
 use super::merge::merged;
 use super::pieces::{Piece, Pieces};
 use super::polygon::INTERIOR;
+use super::sides::Sides;
 use crate::arrangement::poll::Poll;
 use crate::error::{Choice, Error, ErrorKind, Result, say};
-use crate::memory::{AllocResult, TryGrow, collected, filled};
+use crate::memory::{AllocResult, Sets, TryGrow, collected, filled};
 use crate::mesh::{Feature, NONE};
 use crate::numerics::orientation;
 use crate::options::Extent;
@@ -44,8 +45,7 @@ pub(super) fn add_corners(points: &mut Vec<[f64; 3]>) -> AllocResult<[u32; 8]> {
     let mut corners = [NONE; 8];
     for (number, x) in (0u32..).zip(points.iter()) {
         if (0..3).all(|k| x[k] == low[k] || x[k] == high[k]) {
-            for (at, own) in corners.iter_mut().enumerate().filter(|&(at, _)| corner(at) == *x) {
-                debug_assert!(at < 8);
+            for (_, own) in corners.iter_mut().enumerate().filter(|&(at, _)| corner(at) == *x) {
                 *own = number;
             }
         }
@@ -134,28 +134,14 @@ fn no_volume(extent: Extent) -> Error {
 
 /// Returns for each triangle of a convex surface the first one in exactly its plane.
 fn exactly_plane(points: &[[f64; 3]], triangles: &[[u32; 3]]) -> AllocResult<Vec<u32>> {
-    let mut firsts = collected(0..triangles.len() as u32)?;
-    let sides = super::sides::Sides::of_triangles(triangles)?;
-    for group in sides.groups().filter(|group| group.len() == 2) {
+    let mut planes = Sets::new(triangles.len())?;
+    for group in Sides::of_triangles(triangles)?.groups().filter(|group| group.len() == 2) {
         let [one, other] = [group[0], group[1]];
         let [a, b, c] = triangles[one.triangle as usize].map(|at| &points[at as usize]);
         let apex = other.within(triangles).1;
         if orientation(&[a, b, c, &points[apex as usize]]).is_zero() {
-            let [x, y] = [one, other].map(|side| first_of(&mut firsts, side.triangle));
-            firsts[x.max(y) as usize] = x.min(y);
+            planes.join(one.triangle as usize, other.triangle as usize);
         }
     }
-    for at in 0..triangles.len() as u32 {
-        firsts[at as usize] = first_of(&mut firsts, at);
-    }
-    Ok(firsts)
-}
-
-/// Returns the first triangle that one is joined to, and shortens the way there.
-fn first_of(firsts: &mut [u32], mut at: u32) -> u32 {
-    while firsts[at as usize] != at {
-        firsts[at as usize] = firsts[firsts[at as usize] as usize];
-        at = firsts[at as usize];
-    }
-    at
+    collected((0..triangles.len()).map(|at| planes.find(at) as u32))
 }

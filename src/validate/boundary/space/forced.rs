@@ -6,11 +6,10 @@ use super::directions::{Vector, across, cosine, cross, direction, dot};
 use super::faces::Faces;
 use super::flat::facets_at;
 use crate::error::message;
-use crate::memory::{AllocResult, Lists, TryGrow, collected};
+use crate::memory::{AllocResult, Lists, Sets, TryGrow, collected};
 use crate::mesh::Inputs;
 use crate::quality::view::View;
 use crate::validate::boundary::forced::check_bound;
-use crate::validate::hull::Sets;
 use crate::validate::report::{Findings, Violation, ViolationKind};
 
 /// The cosine of 60 degrees, at inputs; with roundings, which come down to it.

@@ -11,10 +11,9 @@ use super::plane::AreaVector;
 use super::tiling;
 use super::ways::Ways;
 use crate::error::message;
-use crate::memory::{AllocResult, TryGrow, collected, with_capacity};
+use crate::memory::{AllocResult, Sets, TryGrow, collected, with_capacity};
 use crate::mesh::{Facets, Inputs, NONE};
 use crate::quality::length::Length;
-use crate::validate::hull::Sets;
 use crate::validate::report::{Findings, Violation, ViolationKind};
 
 /// Largest distance of the opposite vertex from a triangle's plane, relative to its distance from

@@ -7,6 +7,7 @@ use super::ranked::{key, key_along};
 use super::reach::Reach;
 use super::sweep::Found;
 use crate::memory::{AllocResult, Lists, collected, filled};
+use crate::mesh::NONE;
 
 /// Largest number of crossings that a search for a vertex on a line passes on either side.
 const FARTHEST: usize = 1000;
@@ -18,8 +19,8 @@ pub(super) struct Straight<'a> {
 }
 
 /// Returns for each crossing true if it becomes a vertex. Crossings at large angles are accepted
-/// first. A later one is refused if both of its lines will go through an accepted vertex near it,
-/// or if one of its lines has an accepted vertex that is near the other line.
+/// first. A later one is refused if the vertex next to it on one of its lines is near the other
+/// line, which will go through that vertex too.
 ///
 /// O(k log k) for k crossings, unless very many are close to each other.
 pub(super) fn accept<'a>(
@@ -52,18 +53,26 @@ pub(super) fn accept<'a>(
     let mut order = collected(order)?;
     order.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
     let mut is_accepted = filled(found.len(), false)?;
+    // Crossing -> the accepted one that both of its lines go through, once that is known.
+    let mut vertices = filled(found.len(), NONE)?;
     for &(_, _, at) in &order {
         let Found { lines, .. } = found[at as usize];
-        let will_meet = |slot: usize| {
+        // Returns the vertex next to the crossing on one of its lines, on either side, that is near
+        // the other line.
+        let vertex_of = |slot: usize| {
             let own = on_lines.of(lines[slot] as usize);
             let other = line(lines[1 - slot]);
-            let is_near = |&at: &&u32| other.reach.is_near(other.ends, &found[*at as usize].point);
+            let is_near =
+                |&vertex: &u32| other.reach.is_near(other.ends, &found[vertex as usize].point);
             let (before, after) = own.split_at(positions[at as usize][slot]);
-            let accepted = |at: &&u32| is_accepted[**at as usize];
-            before.iter().rev().take(FARTHEST).find(accepted).is_some_and(|at| is_near(&at))
-                || after.iter().take(FARTHEST).find(accepted).is_some_and(|at| is_near(&at))
+            let known = |&at: &u32| Some(vertices[at as usize]).filter(|&vertex| vertex != NONE);
+            let last = before.iter().rev().take(FARTHEST).find_map(known);
+            let next = after.iter().take(FARTHEST).find_map(known);
+            last.filter(is_near).or(next.filter(is_near))
         };
-        is_accepted[at as usize] = !will_meet(0) && !will_meet(1);
+        let vertex = vertex_of(0).or_else(|| vertex_of(1));
+        is_accepted[at as usize] = vertex.is_none();
+        vertices[at as usize] = vertex.unwrap_or(at);
     }
     let accepted = order.iter().map(|&(_, _, at)| at).filter(|&at| is_accepted[at as usize]);
     let accepted = collected(accepted)?;

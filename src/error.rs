@@ -11,6 +11,7 @@ pub use message::{Message, Words};
 pub use name::{Choice, Name};
 pub(crate) use text::{message, written};
 
+use crate::options::Extent;
 use message::InWords;
 use std::fmt::{self, Display};
 
@@ -51,6 +52,15 @@ impl Error {
     /// Returns the error of an argument that is out of its range, or that does not fit others.
     pub fn invalid(message: impl Into<Message>) -> Self {
         Self::new(ErrorKind::InvalidArgument, message)
+    }
+
+    /// Returns the error of a hull or box whose inputs are on a line.
+    pub(crate) fn without_area(extent: Extent) -> Self {
+        let message = say!(
+            Choice::Extent(extent),
+            " has no area: all inputs are on a line, but for roundings"
+        );
+        Self::new(ErrorKind::DegenerateInput, message)
     }
 
     /// Marks a failure as caused by the content of an input: it could be read in its format, but it

@@ -4,7 +4,7 @@ use super::inner::Inner;
 use super::poll::Poll;
 use super::ranked::{key, ordered_bits};
 use super::reach::Reach;
-use crate::error::{Choice, Error, ErrorKind, Result, say};
+use crate::error::{Error, Result};
 use crate::memory::{TryGrow, collected, with_capacity};
 use crate::mesh::{Inputs, Segments};
 use crate::numerics::{Sign, coordinates, orientation};
@@ -40,11 +40,7 @@ pub fn with_extent(
     };
     let point = |&number: &u32| coordinates::<2>(&points, number as usize);
     if !curve.is_empty() && !has_area(curve.iter().map(point)) {
-        let message = say!(
-            Choice::Extent(extent),
-            " has no area: all inputs are on a line, but for roundings"
-        );
-        return Err(Error::new(ErrorKind::DegenerateInput, message));
+        return Err(Error::without_area(extent));
     }
     for (at, &from) in curve.iter().enumerate() {
         all.inputs.try_push([from, curve[(at + 1) % curve.len()]])?;
@@ -115,6 +111,7 @@ fn hull(inputs: &Inputs, poll: Poll<'_>) -> Result<Vec<u32>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::error::ErrorKind;
 
     fn inputs(points: &[[f64; 2]]) -> Inputs {
         Inputs::new(2, points.len(), points.as_flattened(), 0).unwrap()

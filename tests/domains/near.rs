@@ -3,7 +3,7 @@
 
 use netmesh::options::{Crossings, Extent, Options};
 use netmesh::validate::validate_mesh;
-use netmesh::{Error, Mesh, Stats};
+use netmesh::{Error, ErrorKind, Mesh, Stats};
 
 type Point = [f64; 2];
 
@@ -303,5 +303,19 @@ fn lines_that_run_along_each_other_share_vertices() {
         for stats in check(&points, &[[0, 1], [2, 3]], &[Extent::All, Extent::Box]) {
             assert!(stats.near_inputs == 2 && stats.farthest_near_input <= 12.0, "{stats:?}");
         }
+    }
+}
+
+#[test]
+fn a_hull_that_is_a_line_within_roundings_has_no_area() {
+    let points = [[7.69, 5.57], [5.43, 5.64], [5.882, 5.625999999999997]];
+    for segments in [&[[0, 1]][..], &[]] {
+        let options = Options { extent: Extent::Hull, ..Options::default() };
+        let error = run(&points, segments, &options).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::DegenerateInput, "{error}");
+        assert!(
+            error.message().starts_with("options.extent = Extent::Hull has no area"),
+            "{error}"
+        );
     }
 }

@@ -120,6 +120,9 @@ impl<const D: usize> State<D> {
         }
         let has_frame = matches!(extent, Extent::Hull | Extent::Box);
         if has_frame && self.segments.regions.len() == 1 {
+            if D == 2 {
+                return Err(Error::without_area(extent));
+            }
             let what = "doubles have no room for the boundary of ";
             let message = say!("{what}", Choice::Extent(extent), ", on which inputs are too near");
             return Err(Error::new(ErrorKind::Limit, message));

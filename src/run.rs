@@ -51,17 +51,17 @@ impl Mesh {
         for tries in 1.. {
             let mut watch = Watch::new(progress.as_deref_mut());
             let poll: Poll<'_> = &mut |work| watch.poll_after(work);
-            let (options, mut arrangement) = self.arrangement(options, &shared.points, poll)?;
+            let (options, mut arrangement) = self.arrangement(options, &shared, poll)?;
             let arranged = arrangement.as_mut();
             let made = self.meshed(&options, arranged, size, progress.as_deref_mut());
-            let known = shared.points.len();
             // In space there is no common vertex that two segments could go through instead.
             let lacks_room = self.inputs().dim() == 2
                 && made.as_ref().is_err_and(|error| error.kind() == ErrorKind::Limit);
-            if let Some(arrangement) = arrangement.filter(|_| lacks_room) {
-                shared.add_all(&arrangement.crowded)?;
-            }
-            if shared.points.len() == known || tries == MOST_TRIES {
+            let is_new = match arrangement.filter(|_| lacks_room && tries < MOST_TRIES) {
+                Some(arrangement) => shared.add_all(&arrangement.crowded)?,
+                None => false,
+            };
+            if !is_new {
                 self.set_triangulation(made?);
                 break;
             }
@@ -93,7 +93,7 @@ impl Mesh {
     fn arrangement(
         &self,
         options: &Options,
-        shared: &[[f64; 2]],
+        shared: &SharedVertices,
         poll: Poll<'_>,
     ) -> Result<(Options, Option<Arrangement>)> {
         if self.conforms_in_space(options.extent) {

@@ -106,7 +106,7 @@ fn open_at(inputs: &Inputs, vertex: usize, [starts, ends]: [u32; 2], interior: I
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::arrangement::{Task, arrange};
+    use crate::arrangement::{SharedVertices, Task, arrange};
     use crate::options::Crossings;
 
     /// Checks segments between the corners of a square, of which inputs 0 and 4 are equal.
@@ -146,7 +146,13 @@ mod tests {
         let (ends, markers) = (segments.to_vec(), vec![0; segments.len()]);
         let segments = Segments { inputs: ends, markers, ..Segments::default() };
         let (own, crossings) = (segments.count(), Crossings::Split);
-        let task = Task { inputs: &inputs, segments: &segments, own, shared: &[], crossings };
+        let task = Task {
+            inputs: &inputs,
+            segments: &segments,
+            own,
+            shared: &SharedVertices::default(),
+            crossings,
+        };
         let arrangement = arrange(&task, &mut |_| Ok(())).unwrap();
         encloses(&inputs, &segments, &arrangement, interior).unwrap()
     }

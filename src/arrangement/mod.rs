@@ -44,7 +44,7 @@ pub use shared::SharedVertices;
 
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, Lists, TryGrow, collected, copied, filled, with_capacity};
-use crate::mesh::{Arrangement, Inputs, Segments, Subsegment};
+use crate::mesh::{Arrangement, Inputs, NONE, Segments, Subsegment};
 use crate::numerics::coordinates;
 use crate::options::Crossings;
 use bend::Bender;
@@ -69,7 +69,7 @@ pub struct Task<'a> {
     pub own: usize,
     /// Vertices that pieces passing within a unit in the last place must go through. Those that are
     /// no inputs are further vertices, which are treated as crossings of segments.
-    pub shared: &'a [[f64; 2]],
+    pub shared: &'a SharedVertices,
     pub crossings: Crossings,
 }
 
@@ -86,7 +86,7 @@ pub fn arrange(task: &Task<'_>, poll: Poll<'_>) -> Result<Arrangement> {
     let vertices = (0..task.inputs.distinct()).map(|vertex| task.inputs.distinct_point(vertex));
     let mut points = collected(vertices.map(|point| *coordinates::<2>(point, 0)))?;
     let inputs = points.len();
-    for x in task.shared {
+    for x in &task.shared.points {
         if !points[..inputs].contains(x) {
             points.try_push(*x)?;
         }
@@ -133,14 +133,21 @@ fn arrange_within(
     let mut arrangement = Arrangement::default();
     let mut has_split = false;
     for _ in 0..MOST_SWEEPS {
-        let passes = |part: &Subsegment, vertex: u32| frame.passes(&points, part, vertex);
+        let avoids = |part: &Subsegment, vertex: u32| {
+            let is_own = (part.segment as usize) < task.own;
+            let segment = if is_own { part.segment } else { NONE };
+            task.shared.avoided.contains(&(segment, points[vertex as usize]))
+        };
+        let passes = |part: &Subsegment, vertex: u32| {
+            avoids(part, vertex) || frame.passes(&points, part, vertex)
+        };
         let bent = |vertex: u32, segment: u32| {
             if (vertex as usize) < inputs {
                 let point = &points[vertex as usize];
                 arrangement.note_offset(reaches[segment as usize].offset_from_segment(point));
             }
         };
-        let is_shared = |x: &[f64; 2]| task.shared.contains(x);
+        let is_shared = |x: &[f64; 2]| task.shared.points.contains(x);
         let mut bender = Bender::new(&points, reaches, &pieces)?;
         pieces = bender.bend(&pieces, poll, is_shared, passes, bent)?;
         let ranked = RankedVertices::new(&points)?;

@@ -28,7 +28,13 @@ fn arranged(points: &[Point], ends: &[[u32; 2]], crossings: Crossings) -> Result
     let ends: Vec<[u32; 2]> = ends.iter().filter(differ).copied().collect();
     let segments = Segments { markers: vec![0; ends.len()], inputs: ends, ..Segments::default() };
     let own = segments.count();
-    let task = Task { inputs: &inputs, segments: &segments, own, shared: &[], crossings };
+    let task = Task {
+        inputs: &inputs,
+        segments: &segments,
+        own,
+        shared: &SharedVertices::default(),
+        crossings,
+    };
     let arrangement = arrange(&task, &mut |_| Ok(()))?;
     check(&inputs, &segments, &arrangement);
     Ok(arrangement)
@@ -95,8 +101,8 @@ fn a_gap_is_a_gap() {
     assert!(arrangement.is_err_and(|error| error.message().contains("cross near")));
 }
 
-/// Vertices some units beside an upright or a level segment follow each other along it, though they go
-/// back on the other axis, on which the segment is a few units long.
+/// Vertices some units beside an upright or a level segment follow each other along it, though they
+/// go back on the other axis, on which the segment is a few units long.
 #[test]
 fn vertices_follow_the_axis_on_which_a_segment_is_longest() {
     let unit = f64::EPSILON;

@@ -51,7 +51,10 @@ impl Case {
     fn arranged(&self, crossings: Crossings, poll: Poll<'_>) -> Result<Arrangement> {
         let (inputs, segments) = (&self.inputs, &self.segments);
         let own = segments.count();
-        arrange(&Task { inputs, segments, own, shared: &[], crossings }, poll)
+        arrange(
+            &Task { inputs, segments, own, shared: &SharedVertices::default(), crossings },
+            poll,
+        )
     }
 }
 

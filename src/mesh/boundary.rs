@@ -53,8 +53,8 @@ impl Region {
 /// meets no other piece.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Subsegment {
-    /// Ends: distinct inputs, or [`Inputs::distinct`] plus the index of a crossing or, in space, of a
-    /// corner.
+    /// Ends: distinct inputs, or [`Inputs::distinct`] plus the index of a crossing or, in space, of
+    /// a corner.
     pub ends: [u32; 2],
     /// Segment to which the piece belongs, the first if several overlap; [`NONE`](super::NONE) for
     /// an edge of a hull or box.
@@ -67,6 +67,8 @@ pub struct Subsegment {
 /// Point where doubles have no room for a vertex of a subsegment, since another vertex is there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crowded {
+    /// The caller's segment, or [`NONE`] for the boundary of an extent.
+    pub segment: u32,
     pub x: [f64; 2],
     /// Ends of the subsegment of the arrangement, the nearer to the point first.
     pub ends: [[f64; 2]; 2],

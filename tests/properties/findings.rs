@@ -170,3 +170,42 @@ fn a_bent_chain_may_go_back_where_it_is_level() {
     };
     certify_plane(&points, &segments, &options);
 }
+
+/// The boundary of a hull went back and forth between four inputs at a corner, and two of its edges
+/// crossed what the others span there: it goes through fewer of them.
+#[test]
+fn a_hull_with_inputs_around_a_corner_goes_through_some() {
+    let points = [
+        [10.1, -10.5],
+        [3.5, 5.5],
+        [-5.1, 6.8],
+        [-6.3, -10.2],
+        [-8.3, 3.2],
+        [3.5, 5.500000000000001],
+        [3.500000000000001, 5.500000000000002],
+        [26.61, 0.02999999999999936],
+        [3.5000000000000004, 5.500000000000002],
+    ];
+    let (extent, crossings) = (Extent::Hull, Crossings::Split);
+    for output in [Output::Hierarchical, Output::WellSpaced] {
+        certify_plane(
+            &points,
+            &[[0, 1]],
+            &Options { extent, crossings, output, ..Options::default() },
+        );
+    }
+}
+
+/// Three segments from one point to ends that are 2^200 times smaller share vertices on the way. One
+/// was added at half of the rest for each run, and 64 runs were not enough.
+#[test]
+fn segments_from_far_away_share_vertices_up_to_their_ends() {
+    let points =
+        [[-9e63, -9e63], [84.0, 7.7e-53], [-98.0, 102.00000000000001], [0.0, -2.5], [12.0, 1.0]];
+    let mut mesh = Mesh::new(2, points.len(), points.as_flattened(), 0).unwrap();
+    mesh.set_segments(&[0, 1, 0, 2, 0, 3, 0, 4], None).unwrap();
+    let options = Options { max_vertices: 1200, ..Options::default() };
+    let error = mesh.run(&options, None).unwrap_err();
+    // The gap between them is a fraction of 1e-12 of their length where doubles tell them apart.
+    assert!(error.message().starts_with("options.max_vertices is 1200"), "{error}");
+}

@@ -76,8 +76,8 @@ impl<'a> BoxTree<'a> {
         Ok(())
     }
 
-    /// Calls `visit` with all boxes that meet something, given a test that may only be true too often
-    /// for larger boxes. O(log n) for each box that is found, if the test is good.
+    /// Calls `visit` with all boxes that meet something, given a test that may only be true too
+    /// often for larger boxes. O(log n) for each box that is found, if the test is good.
     pub fn each_at(
         &self,
         meets: impl Fn(&Bounds) -> bool,

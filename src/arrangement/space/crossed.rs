@@ -55,7 +55,8 @@ pub(super) fn meeting_of_edges(
         let share = if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 };
         return Ok((kind, point_between(from, to, share)));
     }
-    // No two edges meet, so that some edge meets a vertex that has none, or vertices have one image.
+    // No two edges meet, so that some edge meets a vertex that has none, or vertices have one
+    // image.
     let mut alone = (0..polygon.vertices.len() as u32)
         .filter(|end| !polygon.edges.iter().any(|edge| edge.ends.contains(end)));
     let is_met = |&end: &u32| {

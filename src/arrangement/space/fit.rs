@@ -274,8 +274,8 @@ impl Given<'_> {
         Lists::of_pairs(sides.vertices.count(), triangles)
     }
 
-    /// Returns true if a boundary that may be bent meets the caller's facets and itself only in what
-    /// they share, and leaves no point outside that is near a corner.
+    /// Returns true if a boundary that may be bent meets the caller's facets and itself only in
+    /// what they share, and leaves no point outside that is near a corner.
     fn is_sound(&self, fitted: &Fitted, homeless: &[u32], poll: Poll<'_>) -> Result<bool> {
         for triangle in &fitted.triangles {
             let corners = triangle.vertices.map(|vertex| &self.points[vertex as usize]);

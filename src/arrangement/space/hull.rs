@@ -1,10 +1,10 @@
 //! The convex hull of points in space, by C. B. Barber, D. P. Dobkin and H. Huhdanpaa, "The
-//! quickhull algorithm for convex hulls", 1996: points beyond a triangle are on its list, and the one
-//! that is farthest becomes a vertex, in front of all triangles that see it. Signs are exact, so that
-//! the triangles are always those of a convex hull.
+//! quickhull algorithm for convex hulls", 1996: points beyond a triangle are on its list, and the
+//! one that is farthest becomes a vertex, in front of all triangles that see it. Signs are exact,
+//! so that the triangles are always those of a convex hull.
 //!
-//! Points that are beyond a triangle by no more than rounding explains may be left out: the sides of
-//! a solid that was turned are plane then.
+//! Points that are beyond a triangle by no more than rounding explains may be left out: the sides
+//! of a solid that was turned are plane then.
 
 use super::plane::{Gauge, Plane, from_line, units_of};
 use super::projection::Projection;

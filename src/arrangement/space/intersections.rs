@@ -77,7 +77,8 @@ fn with_faults(points: &[[f64; 3]], pieces: &Pieces, found: &[Found]) -> Result<
 
 fn sorted(mut all: Vec<Intersection>) -> AllocResult<Vec<Intersection>> {
     let key = |one: &Intersection| (one.first, one.second, Reverse(one.kind.rank()));
-    // Pairs of features are distinct, but for facets that meet themselves, of which the worst stays.
+    // Pairs of features are distinct, but for facets that meet themselves, of which the worst
+    // stays.
     all.sort_unstable_by_key(key);
     all.dedup_by_key(|one| (one.first, one.second));
     Ok(all)

@@ -71,9 +71,9 @@ impl Isolated {
         Ok(all)
     }
 
-    /// Leaves each vertex one place of those that are near it: an edge if it is near one, with those
-    /// exactly on one first, otherwise the nearest facet. A vertex near several edges and exactly on
-    /// nothing is near a corner, and keeps no place; such are returned.
+    /// Leaves each vertex one place of those that are near it: an edge if it is near one, with
+    /// those exactly on one first, otherwise the nearest facet. A vertex near several edges and
+    /// exactly on nothing is near a corner, and keeps no place; such are returned.
     pub fn settle(&mut self) -> AllocResult<Vec<u32>> {
         let on_edges = self.on_edges.iter().map(|&(edge, at, bits)| (at, Place::Edge(edge), bits));
         let within = self.in_facets.iter();

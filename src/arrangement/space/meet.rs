@@ -1,10 +1,10 @@
 //! The exact meeting of two triangles or segments in space.
 //!
-//! The set that two of them share is convex, and its corners are of few kinds: a vertex of one in a face of
-//! the other, an edge of one that crosses an edge or the interior of the other. Each corner is told
-//! by the least face of either that holds it, a set of vertices, which signs determine exactly; two
-//! corners are one point just if their faces are the same. Vertices are known by number, so that
-//! equal numbers are all that is needed to see what is shared by right.
+//! The set that two of them share is convex, and its corners are of few kinds: a vertex of one in a
+//! face of the other, an edge of one that crosses an edge or the interior of the other. Each corner
+//! is told by the least face of either that holds it, a set of vertices, which signs determine
+//! exactly; two corners are one point just if their faces are the same. Vertices are known by
+//! number, so that equal numbers are all that is needed to see what is shared by right.
 
 use super::projection::Projection;
 use crate::mesh::IntersectionKind;

@@ -4,7 +4,8 @@ use super::meet::meet;
 use super::oracle;
 use crate::numerics::testing::Random;
 
-/// Returns the bits for the interiors of triangles and of segments, without inner faces of features.
+/// Returns the bits for the interiors of triangles and of segments, without inner faces of
+/// features.
 fn inner(piece: &[u32]) -> u8 {
     if piece.len() == 3 { 1 << 0b111 } else { 1 << 0b11 }
 }

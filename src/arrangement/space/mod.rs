@@ -75,8 +75,8 @@ pub struct TaskInSpace<'a> {
 }
 
 /// Returns the arrangement of facets and segments between inputs in space, and of the boundary of a
-/// box or hull. Expected O((n + k) log n) for n triangles and segments, of which k pairs have bounding
-/// boxes that meet. `poll` is told of the work of each step, and may end the operation.
+/// box or hull. Expected O((n + k) log n) for n triangles and segments, of which k pairs have
+/// bounding boxes that meet. `poll` is told of the work of each step, and may end the operation.
 ///
 /// # Errors
 /// `InvalidArgument` (facets or segments that meet in more than vertices and edges of both, facets
@@ -118,8 +118,9 @@ pub fn arrange_in_space(task: &TaskInSpace<'_>, poll: Poll<'_>) -> Result<Arrang
     Ok(arrangement)
 }
 
-/// Returns pieces that go through the inputs on them that they do not have, and these inputs; `None`
-/// if there are none. Only inputs exactly on pieces count if pieces that bend through others meet.
+/// Returns pieces that go through the inputs on them that they do not have, and these inputs;
+/// `None` if there are none. Only inputs exactly on pieces count if pieces that bend through others
+/// meet.
 fn through_isolated(
     points: &[[f64; 3]],
     task: &TaskInSpace<'_>,

@@ -1,5 +1,5 @@
-//! The set that two triangles or segments with whole coordinates share, by clipping in fractions of integers
-//! of any size.
+//! The set that two triangles or segments with whole coordinates share, by clipping in fractions of
+//! integers of any size.
 
 use crate::mesh::IntersectionKind;
 use dashu_int::IBig;

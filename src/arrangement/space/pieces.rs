@@ -26,8 +26,8 @@ pub(super) struct Piece {
 /// Facets and segments, and what is wrong with single ones.
 #[derive(Default)]
 pub(super) struct Pieces {
-    /// Pieces of facets in the order of these, then the segments. Of a facet that meets itself these
-    /// are its edges.
+    /// Pieces of facets in the order of these, then the segments. Of a facet that meets itself
+    /// these are its edges.
     pub all: Vec<Piece>,
     /// Edges of polygons, in these or outside of them, that bound no facet.
     pub lines: Vec<[u32; 2]>,

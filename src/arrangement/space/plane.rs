@@ -103,8 +103,8 @@ impl<'a> Gauge<'a> {
         }
     }
 
-    /// Returns false only if no point of a box is near the plane. Where numbers overflow, comparisons
-    /// with NaN leave it true.
+    /// Returns false only if no point of a box is near the plane. Where numbers overflow,
+    /// comparisons with NaN leave it true.
     pub fn may_meet(&self, [low, high]: [&[f64; 3]; 2]) -> bool {
         const ROUNDINGS: f64 = 1e-12;
         let (mut value, mut reach) = (0.0, 0.0);
@@ -135,8 +135,8 @@ impl<'a> Gauge<'a> {
         (excess, volume(0) / norm(&self.normal))
     }
 
-    /// Returns the sum of the magnitudes of a point's barycentric coordinates in the base, projected
-    /// along the longest component of the normal.
+    /// Returns the sum of the magnitudes of a point's barycentric coordinates in the base,
+    /// projected along the longest component of the normal.
     fn weights(&self, x: &[f64; 3]) -> f64 {
         let longest = |a: usize, b: usize| self.normal[b].abs() > self.normal[a].abs();
         let axis = (1..3).fold(0, |axis, k| if longest(axis, k) { k } else { axis });

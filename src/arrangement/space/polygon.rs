@@ -91,8 +91,8 @@ impl Polygon {
         Self::of_parts(vertices, all)
     }
 
-    /// Makes a polygon of its rim, which has it on the left and counts where it runs through an edge
-    /// an odd number of times, and of lines and vertices in it.
+    /// Makes a polygon of its rim, which has it on the left and counts where it runs through an
+    /// edge an odd number of times, and of lines and vertices in it.
     pub fn of_rim(vertices: Vec<u32>, rim: &[[u32; 2]], lines: &[[u32; 2]]) -> AllocResult<Self> {
         let (mut vertices, mut all) = (vertices, with_capacity(rim.len() + lines.len())?);
         for (own, sides) in [(rim, 1), (lines, 0)] {
@@ -139,9 +139,9 @@ impl Polygon {
     }
 
     /// Returns the triangles of the polygon in a projection in which its plane does not vanish;
-    /// `None` if vertices have one image, or edges meet each other or a vertex between their ends. Edges that are `adopted`
-    /// are edges of triangles, too, where they meet no edge of the polygon. The polygon is without
-    /// triangles if it has no area.
+    /// `None` if vertices have one image, or edges meet each other or a vertex between their ends.
+    /// Edges that are `adopted` are edges of triangles, too, where they meet no edge of the
+    /// polygon. The polygon is without triangles if it has no area.
     pub fn tiling(
         &self,
         points: &[[f64; 3]],

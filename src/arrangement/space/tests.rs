@@ -232,8 +232,8 @@ fn surfaces_enclose_what_they_divide() {
     };
     assert_eq!(check(&case, Interior::Seeds), Ok(()));
     let parity = "the edge between inputs 0 and 3 is one of 3 triangles; with options.interior = \
-                  Interior::Parity that number must be even at every edge, so that all surfaces are \
-                  closed";
+                  Interior::Parity that number must be even at every edge, so that all surfaces \
+                  are closed";
     assert_eq!(check(&case, Interior::Parity).unwrap_err(), parity);
     let winding = check(&case, Interior::Winding).unwrap_err();
     assert!(winding.starts_with("2 triangles run from input 0 to 3 and 1 back; with"), "{winding}");

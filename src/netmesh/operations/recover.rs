@@ -6,7 +6,7 @@ use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, TryGrow};
 use crate::mesh;
 use crate::netmesh::state::hierarchy::{DomainId, ROOT};
-use crate::netmesh::state::segments::chain::Subsegment;
+use crate::netmesh::state::segments::chain::{Line, Subsegment};
 use crate::netmesh::state::segments::{At, Crowded, SegmentState, name_of};
 use crate::netmesh::state::{Mesher, State};
 use crate::numerics::{distance, in_diametral_ball};
@@ -163,20 +163,20 @@ impl<const D: usize> State<D> {
     /// Returns a point on a line, with the ends of the line.
     fn crowded_at(&self, line: u32, x: &[f64; D]) -> mesh::Crowded {
         let flat = |x: &[f64; D]| [0, 1].map(|axis| x[axis]);
-        let ends = self.segments.chains.lines[line as usize].ends;
+        let Line { ends, segment, .. } = self.segments.chains.lines[line as usize];
         let mut ends = ends.map(|end| flat(self.delaunay.point(end)));
         let x = flat(x);
         if distance(&x, &ends[1]) < distance(&x, &ends[0]) {
             ends.swap(0, 1);
         }
-        mesh::Crowded { x, ends }
+        mesh::Crowded { segment, x, ends }
     }
 
     fn crowded_error(&self, &Crowded { segment, beside, at }: &Crowded) -> Error {
         if D > 2 {
             let message = message!(
-                "an edge of the facets or a segment passes a vertex so closely near {} that doubles \
-                 have no room for its subsegments",
+                "an edge of the facets or a segment passes a vertex so closely near {} that \
+                 doubles have no room for its subsegments",
                 At(&at.x)
             );
             return Error::new(ErrorKind::Limit, message);

@@ -119,6 +119,16 @@ impl<const D: usize> Delaunay<D> {
         self.points[vertex] = point;
     }
 
+    /// Starts a search of a caller's: afterwards no simplex is marked.
+    pub fn begin_marks(&mut self) {
+        self.complex.begin_marks();
+    }
+
+    /// Marks a simplex as one that a search has reached.
+    pub fn mark(&mut self, simplex: SimplexId) {
+        self.complex.mark_inside(simplex);
+    }
+
     /// Collects the simplices at a vertex: see [`Complex::star`].
     pub fn star(&mut self, vertex: VertexId, star: &mut Array<SimplexId>) -> AllocResult<()> {
         self.complex.star(vertex, star)

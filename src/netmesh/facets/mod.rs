@@ -1,5 +1,6 @@
 //! Facets in space (§1 and §14 expect that the method takes edges and faces; this is how): every
-//! segment becomes a chain of edges, and every facet a sheet of faces, of the exactly Delaunay mesh.
+//! segment becomes a chain of edges, and every facet a sheet of faces, of the exactly Delaunay
+//! mesh.
 //!
 //! - `conform`: all of it, in order.
 //! - `sharp`: the lines at which facets or segments meet at small angles.

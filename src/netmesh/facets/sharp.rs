@@ -2,7 +2,7 @@
 //! from them refinement ends as it does in space without small angles.
 
 use crate::complex::VertexId;
-use crate::memory::{AllocResult, TryGrow, filled};
+use crate::memory::{AllocResult, TryGrow, collected, filled};
 use crate::netmesh::questions::small_angles::{SMALL, SMALL_DIHEDRAL, cosine};
 use crate::netmesh::state::State;
 use crate::netmesh::state::facets::Meeting;
@@ -53,11 +53,16 @@ impl State<3> {
         }
         joined.sort_unstable();
         self.find_meetings_at_vertices(&joined, &mut meetings)?;
-        self.facets.set_sharp(is_sharp, meetings)
+        let lines = self.segments.chains.lines.iter().zip(&is_sharp);
+        let ends = lines.filter(|&(_, &is_sharp)| is_sharp).flat_map(|(line, _)| line.ends);
+        let mut ends = collected(ends)?;
+        ends.sort_unstable();
+        ends.dedup();
+        self.facets.set_sharp(is_sharp, &ends, meetings)
     }
 
-    /// Adds the pairs of facets that meet at an end of lines, and at no line there. `joined` has those
-    /// that meet at one.
+    /// Adds the pairs of facets that meet at an end of lines, and at no line there. `joined` has
+    /// those that meet at one.
     fn find_meetings_at_vertices(
         &self,
         joined: &[(u32, u32, Meeting)],

@@ -1,13 +1,13 @@
 //! The subsegments and subfacets around a point that is to go into a mesh of space. One that is a
-//! part of the mesh stays one unless all simplices at it are in the cavity: then the point *crosses*
-//! it. A point *encroaches* it if it is in the smallest ball through its vertices.
+//! part of the mesh stays one unless all simplices at it are in the cavity: then the point
+//! *crosses* it. A point *encroaches* it if it is in the smallest ball through its vertices.
 
 use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::memory::{AllocResult, TryGrow};
 use crate::netmesh::state::State;
 use crate::netmesh::state::facets::faces::{EDGES, FACES};
-use crate::numerics::in_diametral_ball;
+use crate::numerics::{distance, in_diametral_ball};
 
 impl State<3> {
     /// Finds the subsegments and subfacets of the simplices in `cavity`, and which of them a point
@@ -29,9 +29,7 @@ impl State<3> {
                 if on[i] && on[j] {
                     if let Some(subsegment) = segments.chains.edge_between(vertices[i], vertices[j])
                     {
-                        if !near.subsegments.iter().any(|&(other, _)| other == subsegment) {
-                            near.subsegments.try_push((subsegment, true))?;
-                        }
+                        near.subsegments.try_push((subsegment, true))?;
                     }
                 }
             }
@@ -42,25 +40,31 @@ impl State<3> {
             for (index, face) in FACES.iter().enumerate() {
                 let Some(subfacet) = facets.face(&face.map(|i| vertices[i])) else { continue };
                 let is_crossed = !outer.iter().any(|facet| facet.index as usize == index);
-                if !near.subfacets.iter().any(|&(other, _)| other == subfacet) {
-                    near.subfacets.try_push((subfacet, is_crossed))?;
-                }
+                near.subfacets.try_push((subfacet, is_crossed))?;
             }
         }
-        for (subsegment, is_crossed) in &mut near.subsegments {
-            let ends = segments.chains.get(*subsegment).ends;
-            *is_crossed = !cavity.boundary.iter().any(|facet| {
-                let vertices = complex.vertices(facet.simplex);
-                let opposite = vertices[facet.index as usize];
-                ends.iter().all(|&end| end != opposite && vertices.contains(&end))
-            });
+        for all in [&mut near.subsegments, &mut near.subfacets] {
+            all.sort_unstable();
+            all.dedup();
+        }
+        let is_any = !near.subsegments.is_empty();
+        for facet in cavity.boundary.iter().filter(|_| is_any) {
+            let vertices = complex.vertices(facet.simplex);
+            let face = FACES[facet.index as usize].map(|at| vertices[at]);
+            for at in 0..3 {
+                let edge = segments.chains.edge_between(face[at], face[(at + 1) % 3]);
+                let found = edge.map(|edge| near.subsegments.binary_search(&(edge, true)));
+                if let Some(Ok(found)) = found {
+                    near.subsegments[found].1 = false;
+                }
+            }
         }
         self.facets.near = near;
         Ok(())
     }
 
-    /// Notes that a vertex goes in with `cavity`: what it crosses is queued. Regions stay known where
-    /// it crosses nothing and nothing waits.
+    /// Notes that a vertex goes in with `cavity`: what it crosses is queued. Regions stay known
+    /// where it crosses nothing and nothing waits.
     pub(super) fn note_insertion_near_facets(&mut self, cavity: &Cavity) -> AllocResult<()> {
         self.find_boundary_in(cavity)?;
         let near = std::mem::take(&mut self.facets.near);
@@ -99,5 +103,21 @@ impl State<3> {
         let is_any = !near.is_empty();
         self.facets.near = near;
         Ok(is_any)
+    }
+
+    /// Sorts what a point encroaches by how deep it is in the ball, relative to the ball's radius.
+    pub(in crate::netmesh) fn sort_near_by_depth(&mut self, x: &[f64; 3]) {
+        let mut near = std::mem::take(&mut self.facets.near);
+        near.subsegments.sort_unstable_by_key(|&(subsegment, _)| {
+            let [a, b] = self.segments.chains.get(subsegment).ends;
+            let [a, b] = [a, b].map(|end: VertexId| self.delaunay.point(end));
+            let middle = std::array::from_fn(|k| 0.5 * a[k] + 0.5 * b[k]);
+            ((distance(x, &middle) / distance(a, b)).to_bits(), subsegment)
+        });
+        near.subfacets.sort_unstable_by_key(|&(subfacet, _)| {
+            let (center, radius) = self.circle_of(subfacet);
+            ((distance(x, &center) / radius).to_bits(), subfacet)
+        });
+        self.facets.near = near;
     }
 }

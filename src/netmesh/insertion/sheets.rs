@@ -46,8 +46,8 @@ impl State<3> {
         self.facets.wait(subfacet, radius)
     }
 
-    /// Puts `vertex` into the sheet of a subfacet near it. Returns false, and changes nothing, if it
-    /// is beyond a subsegment.
+    /// Puts `vertex` into the sheet of a subfacet near it. Returns false, and changes nothing, if
+    /// it is beyond a subsegment.
     pub(in crate::netmesh) fn put_in_sheet(
         &mut self,
         near: u32,

@@ -15,7 +15,8 @@
 //! - `cage`: NEWCAGE and GROWCAGE.
 //! - `insert_input`: INSERTINPUT.
 //! - `recover`: subsegments are split until they are edges; `recover_facets`: subfacets, until they are
-//!   faces; `recover_boundary`: both, and what a Steiner point would encroach.
+//!   faces; `recover_boundary`: both, and what a Steiner point would encroach, as far as the `guard`
+//!   lets it be split.
 //! - `yielding_insert`: YIELDINGINSERT of a Steiner point.
 //! - `cage_gap`: a gap between the vertices of a cage is narrowed.
 //! - `clean`: CLEAN.
@@ -23,6 +24,7 @@
 pub(super) mod cage;
 pub(super) mod cage_gap;
 pub(super) mod clean;
+pub(super) mod guard;
 pub(super) mod insert_input;
 pub(super) mod recover;
 pub(super) mod recover_boundary;

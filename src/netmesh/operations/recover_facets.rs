@@ -2,22 +2,19 @@
 //! empty of other vertices in its smallest ball, as a Gabriel face is: a face of the Delaunay
 //! triangulation is enough, and needs far fewer vertices.
 
-use crate::complex::{SimplexId, VertexId};
+use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow};
 use crate::mesh::NONE;
 use crate::netmesh::questions::subfacets::OnSheet;
+use crate::netmesh::state::facets::floors::Guard;
 use crate::netmesh::state::{Mesher, State};
-use crate::numerics::{distance, in_diametral_ball, shortest_distance};
+use crate::numerics::in_diametral_ball;
 
 /// Four vertices of a facet are on one circle, as far as a sheet has to care, if the sine of
 /// [`State::diagonal`] is below this: then the mesh says which diagonal is an edge.
 const COCIRCULAR: f64 = 1e-7;
-
-/// A simplex may ask for a split only where the radius of what is split, relative to its shortest
-/// edge, is as large as this.
-const GUARD: f64 = 0.7;
 
 /// Part of the boundary that is to be split.
 #[derive(Clone, Copy)]
@@ -38,7 +35,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let Some(state) = self.state.in_space() else { return Ok(false) };
         let Some(subfacet) = state.next_missing()? else { return Ok(false) };
         let split = state.split_for(subfacet)?;
-        let is_split = self.split_boundary(split, 0.0, cavity)?;
+        let is_split = self.split_boundary(split, Guard::Open, cavity)?;
         if let Some(state) = self.state.in_space() {
             match is_split {
                 // What was split may have been something in its way.
@@ -50,27 +47,28 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Splits a part of the boundary; false where doubles have no room for a vertex on it, or where a
-    /// subsegment would have to be split whose half is shorter than `least`.
+    /// subsegment would have to be split that `guard` keeps.
     pub(super) fn split_boundary(
         &mut self,
         split: Split,
-        least: f64,
+        guard: Guard,
         cavity: &mut Cavity,
     ) -> Result<bool> {
         match split {
-            Split::Subsegment(subsegment) if !self.state.may_split(subsegment, least) => Ok(false),
-            Split::Subsegment(subsegment) => self.split(subsegment, cavity),
-            Split::Subfacet(subfacet, x) => self.split_subfacet(subfacet, &x, least, cavity),
+            Split::Subsegment(subsegment) => {
+                Ok(self.state.may_split(subsegment, guard)? && self.split(subsegment, cavity)?)
+            }
+            Split::Subfacet(subfacet, x) => self.split_subfacet(subfacet, &x, guard, cavity),
         }
     }
 
     /// Inserts a vertex at `x` into a facet, or splits the subsegments that it would encroach; false
-    /// where doubles have no room for either, or half of such a subsegment is shorter than `least`.
+    /// where doubles have no room for either, or `guard` keeps such a subsegment.
     fn split_subfacet(
         &mut self,
         subfacet: u32,
         x: &[f64; 3],
-        least: f64,
+        guard: Guard,
         cavity: &mut Cavity,
     ) -> Result<bool> {
         let Some(state) = self.state.in_space() else { return Ok(false) };
@@ -86,17 +84,17 @@ impl<const D: usize> Mesher<'_, '_, D> {
         state.delaunay.find_cavity(start, x, cavity)?;
         state.find_encroached_in_space(x, cavity)?;
         let mut encroached = std::mem::take(&mut state.facets.near.subsegments);
-        let (mut is_any, mut is_short) = (false, false);
+        let (mut is_any, mut is_guarded) = (false, false);
         for &(subsegment, _) in &encroached {
-            match self.state.may_split(subsegment, least) {
+            match self.state.may_split(subsegment, guard)? {
                 true => is_any |= self.split(subsegment, cavity)?,
-                false => is_short = true,
+                false => is_guarded = true,
             }
         }
         let has_searched = !encroached.is_empty();
         encroached.clear();
         self.state.facets.near.subsegments = encroached;
-        if is_any || is_short {
+        if is_any || is_guarded {
             return Ok(is_any);
         }
         let place: [f64; D] = std::array::from_fn(|axis| x[axis]);
@@ -115,15 +113,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.state.stats.segment_points += 1;
         self.insert_into_cavity(vertex, cavity)?;
         Ok(true)
-    }
-}
-
-impl<const D: usize> State<D> {
-    /// Returns true unless a subsegment is of a sharp line, and half of it is shorter than `least`.
-    fn may_split(&self, subsegment: u32, least: f64) -> bool {
-        let own = self.segments.chains.get(subsegment);
-        let [a, b] = own.ends.map(|end| self.delaunay.point(end));
-        !self.facets.is_sharp_line(own.line) || 0.5 * distance(a, b) >= least
     }
 }
 
@@ -209,23 +198,6 @@ impl State<3> {
         }
         self.facets.found = found;
         Ok(encroached)
-    }
-
-    /// Keeps those of the encroached subsegments and subfacets that are large enough to be split for a
-    /// simplex. What is smaller would be split for ever beside small angles of the input: each piece
-    /// would ask for the next. Returns the least radius.
-    pub(super) fn keep_large(&mut self, simplex: SimplexId) -> f64 {
-        let vertices = self.delaunay.complex().vertices(simplex);
-        let points: [&[f64; 3]; 4] = std::array::from_fn(|at| self.delaunay.point(vertices[at]));
-        let least = GUARD * shortest_distance(&points).2;
-        let mut near = std::mem::take(&mut self.facets.near);
-        near.subsegments.retain(|&(subsegment, _)| self.may_split(subsegment, least));
-        near.subfacets.retain(|&(subfacet, _)| {
-            let facet = self.facets.get(subfacet).facet;
-            !self.facets.is_sharp_facet(facet) || self.circle_of(subfacet).1 >= least
-        });
-        self.facets.near = near;
-        least
     }
 
     /// Leaves a subfacet as it is for which doubles are too coarse.

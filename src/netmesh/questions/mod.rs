@@ -8,6 +8,7 @@
 //! - `nearby`: the vertices and inputs near a point.
 //! - `subsegments`: the edges that subsegments are, and the points that split them.
 //! - `subfacets`: whether subfacets are in the mesh, and ways through sheets.
+//! - `feature_size`: the distance from an end of lines to what does not go through it.
 //! - `regions`: the region of a simplex.
 //! - `small_angles`: the simplices that small angles in space force.
 //! - `exempt`: the simplices that refinement leaves alone.
@@ -17,6 +18,7 @@ pub(super) mod bad_simplex;
 pub(super) mod cage_site;
 pub(super) mod encroachment;
 pub(super) mod exempt;
+pub(super) mod feature_size;
 pub(super) mod nearby;
 pub(super) mod permission;
 pub(super) mod quality;

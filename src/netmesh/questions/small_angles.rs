@@ -46,6 +46,16 @@ impl State<3> {
         })
     }
 
+    /// Returns true if any two vertices of a live simplex are on facets or segments that meet at a
+    /// small angle.
+    pub(in crate::netmesh) fn has_small_angle(&self, simplex: SimplexId) -> bool {
+        let vertices = self.delaunay.complex().vertices(simplex);
+        EDGES.iter().any(|&[i, j]| {
+            let edge = [vertices[i], vertices[j]];
+            self.spans_small_angle(edge, [SMALL, SMALL_DIHEDRAL])
+        })
+    }
+
     /// Returns true if two vertices are on facets or segments that meet at a small angle, and on none
     /// that has both.
     fn spans_small_angle(&self, [u, v]: [VertexId; 2], small: [f64; 2]) -> bool {

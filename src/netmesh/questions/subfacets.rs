@@ -39,8 +39,8 @@ fn cross(u: &[f64; 3], v: &[f64; 3]) -> [f64; 3] {
     })
 }
 
-/// Returns the centre of the circle through three points, and its radius; infinite where they are on
-/// a line.
+/// Returns the centre of the circle through three points, and its radius; infinite where they are
+/// on a line.
 pub(in crate::netmesh) fn circle([a, b, c]: [&[f64; 3]; 3]) -> ([f64; 3], f64) {
     let ([u, v], unit) = scaled_ways(a, [b, c]);
     let normal = cross(&u, &v);
@@ -125,8 +125,8 @@ impl State<3> {
         (sine, is_convex)
     }
 
-    /// Returns the place of `x`, which is in the plane of a subfacet's facet, by a straight way from
-    /// there through the sheet.
+    /// Returns the place of `x`, which is in the plane of a subfacet's facet, by a straight way
+    /// from there through the sheet.
     pub(in crate::netmesh) fn walk_in_sheet(&self, from: u32, x: &[f64; 3]) -> OnSheet {
         let plane = *self.facets.plane_of(from);
         let [a, b, c] = self.points_of(self.facets.get(from).vertices);

@@ -28,8 +28,8 @@ fn unit_below(x: f64) -> f64 {
 }
 
 impl<const D: usize> State<D> {
-    /// Returns the place on its line at which a subsegment is to be split, and the vertex there; one
-    /// of its ends where doubles have none between.
+    /// Returns the place on its line at which a subsegment is to be split, and the vertex there;
+    /// one of its ends where doubles have none between.
     pub(in crate::netmesh) fn splitting_point(
         &self,
         subsegment: &Subsegment,

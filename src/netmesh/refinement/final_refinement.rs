@@ -48,7 +48,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             self.refine_tiles(cavity)?;
             scan = Scan::SpanningDomains;
         }
-        while self.refine_scanned(scan, cavity)? {
+        while self.refine_scanned(scan, cavity)? || self.state.lower_guard_in_space()? {
             // What stays as it is beside facets depends on more than the simplices there.
             let is_done = self.state.facets.is_empty();
             scan = if is_done { Scan::SpanningDomains } else { Scan::All };
@@ -130,6 +130,11 @@ impl<const D: usize> State<D> {
     fn tile_length(&self) -> usize {
         let is_tight = self.segments.is_active() && self.stage.bound < TIGHT;
         if is_tight { LARGE_TILE } else { TILE }
+    }
+
+    /// Lowers the guard of facets as [`State::lower_guard`] does.
+    fn lower_guard_in_space(&mut self) -> Result<bool> {
+        Ok(self.in_space().map_or(Ok(false), State::lower_guard)?)
     }
 
     fn is_any_open(&mut self) -> bool {

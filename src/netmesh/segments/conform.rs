@@ -41,8 +41,8 @@ impl Mesher<'_, '_, 2> {
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Inserts the inputs into the outer cage, which surrounds `further` points, too. No bound counts
-    /// until the mesh conforms.
+    /// Inserts the inputs into the outer cage, which surrounds `further` points, too. No bound
+    /// counts until the mesh conforms.
     pub(in crate::netmesh) fn begin_to_conform(
         &mut self,
         arrangement: &Arrangement,
@@ -66,8 +66,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(vertices)
     }
 
-    /// Appends to `vertices` those at further points of the arrangement: crossings of segments in the
-    /// plane, corners of a box in space.
+    /// Appends to `vertices` those at further points of the arrangement: crossings of segments in
+    /// the plane, corners of a box in space.
     pub(in crate::netmesh) fn add_points(
         &mut self,
         points: &[[f64; D]],

@@ -34,8 +34,8 @@ fn are_not_zero(numbers: &[Option<i64>]) -> AllocResult<Vec<bool>> {
 }
 
 /// Returns the winding number of every region as `reduced`. Walls are pieces of closed curves or
-/// surfaces, so that any way from outside gives the same; and all regions are reached, for what they
-/// separate is connected. O(walls).
+/// surfaces, so that any way from outside gives the same; and all regions are reached, for what
+/// they separate is connected. O(walls).
 fn winding_numbers(
     regions: &Regions,
     balances: &[i64],

@@ -6,15 +6,15 @@
 //! - `queue` and `candidates`: slivers that wait, the worst first, and points for slivers that no
 //!   move mends, the best first; `log`: changes that may be undone.
 //! - `view`: the parts of a mesh by which a change is judged before it is made. `cone` has the
-//!   tetrahedra that a point would make over its cavity, `vacancy` the mesh without a vertex that may
-//!   move, `cells` the bound of the Voronoi aspect.
+//!   tetrahedra that a point would make over its cavity, `vacancy` the mesh without a vertex that
+//!   may move, `cells` the bound of the Voronoi aspect.
 //! - `work`: all that the work needs beside the mesh; `weigh`: new tetrahedra are measured and
 //!   queued.
 //! - `changes`: a point goes in, a vertex moves, or a vertex goes; `undo` takes changes back;
 //!   `sizes` asks for the sizes at vertices that come or move.
 //! - `moves` tries other places for the vertices of a sliver, then for those of its neighbours;
-//!   `insertions` finds a further point; `relaxation` inserts points that are worth it only after their
-//!   neighbours have moved; `removals` takes out points that others have made needless.
+//!   `insertions` finds a further point; `relaxation` inserts points that are worth it only after
+//!   their neighbours have moved; `removals` takes out points that others have made needless.
 //! - `next_sliver` and `mend`: all of it, with more and more effort.
 //!
 //! Every change lets the objective fall by `work::LEAST_GAIN` or more, but that every point may be

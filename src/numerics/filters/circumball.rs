@@ -264,16 +264,17 @@ impl<const D: usize> Circumball<D> {
     ///
     /// Proof of the bound. Let p = w.(w - C) for the exact w and C, u the roundoff. Beside what the
     /// error of C makes of it, error |w|_1, the computed p is wrong by at most
-    /// (D + 2)u |w||w - C| + u |w|^2: each product carries the roundings of w, of w - C, its own and D - 1 sums, and w
-    /// is rounded in w - C too. If p <= 0, w is in the ball and both |w| and |w - C| are at most
+    /// (D + 2)u |w||w - C| + u |w|^2: each product carries the roundings of w, of w - C, its own
+    /// and D - 1 sums, and w is rounded in w - C too. If p <= 0, w is in the ball and both |w| and
+    /// |w - C| are at most
     /// |C|: that is within (D + 3)u |C||w|_1, and two more units pay for the roundings in the
     /// bound; so a computed p beyond the bound is not so. If p > 0 and the computed one is less
     /// than -bound, its error exceeds p + (D + 5)u |C||w|. Now |w|^2 + |w - C|^2 = |C|^2 + 2p, so
     /// for p <= |C|^2 both are at most |C| + p/|C| <= 2|C| and the error at most (D + 3)u |w|
-    /// (|C| + p/|C|) <= (D + 3)u |C||w| + 2(D + 3)u p; for p > |C|^2 it is at most (D + 3)u 3p: less in
-    /// both cases. TINY pays for underflow. With overflow p or the bound is infinite: an infinite p
-    /// with a finite bound is right, as p is less than the square of a length that overflows only
-    /// far away.
+    /// (|C| + p/|C|) <= (D + 3)u |C||w| + 2(D + 3)u p; for p > |C|^2 it is at most (D + 3)u 3p:
+    /// less in both cases. TINY pays for underflow. With overflow p or the bound is infinite: an
+    /// infinite p with a finite bound is right, as p is less than the square of a length that
+    /// overflows only far away.
     #[inline(always)]
     fn side_of(&self, w: [f64; D], error: f64) -> Option<bool> {
         let terms: [f64; D] = std::array::from_fn(|i| w[i] * (w[i] - self.center[i]));

@@ -6,7 +6,9 @@
 
 mod norm;
 mod shortest;
+mod triangle;
 
 pub(super) use norm::largest_magnitude;
 pub use norm::{distance, norm};
 pub use shortest::shortest_distance;
+pub use triangle::{distance_to_edge, distance_to_triangle};

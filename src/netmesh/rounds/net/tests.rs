@@ -5,6 +5,7 @@ use crate::netmesh::rounds::net::center::Center;
 use crate::netmesh::rounds::net::greedy::Net;
 use crate::netmesh::state::watch::Watch;
 use crate::numerics::{Sign, affine_basis, in_ball, orientation};
+use std::ops::Range;
 
 /// Doubles in \[0, 1), always the same.
 struct Random(u64);
@@ -93,14 +94,19 @@ fn fullest<const D: usize>(empty: &[[f64; D]], others: &[[f64; D]]) -> usize {
     let all: Vec<[f64; D]> = empty.iter().chain(others).copied().collect();
     let mut most = 0;
     let mut scan = |set: &[usize], side: &dyn Fn(&[f64; D]) -> Sign| {
-        if empty.iter().any(|x| side(x) == Sign::Positive) {
+        // Those of the set are on the boundary; only integers could tell that.
+        let beside = |range: Range<usize>| range.filter(|i| !set.contains(i));
+        let is_inside = |i: &usize| side(&all[*i]) == Sign::Positive;
+        if beside(0..empty.len()).any(|i| is_inside(&i)) {
             return;
         }
-        let inside = others.iter().filter(|x| side(x) == Sign::Positive).count();
-        let on = |i: usize| side(&all[i]) == Sign::Zero;
-        let generic = (0..all.len()).filter(|&i| on(i)).count() == set.len();
-        let more = set.iter().filter(|&&i| generic && i >= empty.len()).count();
-        most = most.max(inside + more);
+        let inside = beside(empty.len()..all.len()).filter(is_inside).count();
+        let more = set.iter().filter(|&&i| i >= empty.len()).count();
+        let is_generic = || beside(0..all.len()).all(|i| side(&all[i]) != Sign::Zero);
+        if inside + more > most && is_generic() {
+            most = inside + more;
+        }
+        most = most.max(inside);
     };
     subsets(all.len(), D + 1, |set| {
         let mut corners: Vec<&[f64; D]> = set.iter().map(|&i| &all[i]).collect();

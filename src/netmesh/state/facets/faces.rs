@@ -6,8 +6,8 @@ use crate::numerics::mixed;
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hash, Hasher};
 
-/// Positions of the vertices of a simplex's faces, counterclockwise as seen from the vertex opposite,
-/// by the number of that vertex.
+/// Positions of the vertices of a simplex's faces, counterclockwise as seen from the vertex
+/// opposite, by the number of that vertex.
 pub(in crate::netmesh) const FACES: [[usize; 3]; 4] = [[1, 3, 2], [0, 2, 3], [0, 3, 1], [0, 1, 2]];
 
 /// Pairs of positions of a simplex's vertices: its edges.

@@ -1,11 +1,12 @@
 //! Facets in space, as the mesh knows them: each is a sheet of triangles, its *subfacets*, that are
 //! to be faces of simplices.
 //!
-//! Subfacets of one facet that share an edge are neighbours there. At an edge that is a subsegment a
-//! subfacet has the next one of its *pages* for a neighbour: all subfacets at a subsegment, whatever
-//! their facets, stand in a circle.
+//! Subfacets of one facet that share an edge are neighbours there. At an edge that is a subsegment
+//! a subfacet has the next one of its *pages* for a neighbour: all subfacets at a subsegment,
+//! whatever their facets, stand in a circle.
 
 pub(in crate::netmesh) mod faces;
+pub(in crate::netmesh) mod floors;
 pub(in crate::netmesh) mod plane;
 pub(in crate::netmesh) mod sheet;
 
@@ -13,6 +14,7 @@ use crate::complex::{SimplexId, VertexId};
 use crate::memory::{AllocError, AllocResult, Array, Lists, TryGrow, collected, filled};
 use crate::mesh::NONE;
 use crate::netmesh::state::facets::faces::Faces;
+use crate::netmesh::state::facets::floors::Floors;
 use crate::netmesh::state::facets::plane::Plane;
 use crate::netmesh::state::segments::chain::Chains;
 use std::collections::BinaryHeap;
@@ -33,15 +35,21 @@ pub(in crate::netmesh) struct Facets {
     inside: Array<u32>,
     /// First vertices -> the facets that they are on.
     at_first: Option<Lists>,
-    /// Pairs of facets, the lower first, with the lines and vertices where they meet at small angles.
+    /// Pairs of facets, the lower first, with the lines and vertices where they meet at small
+    /// angles.
     meetings: Vec<(u32, u32, Meeting)>,
     /// Line -> true if facets or segments meet there at a small angle.
     is_sharp: Vec<bool>,
     /// Facet -> true if it has such a line.
     has_sharp: Vec<bool>,
+    /// Facets -> the ends of such lines that are on them.
+    sharp_ends: Option<Lists>,
     waiting: BinaryHeap<Waiting>,
     /// Simplex -> true if it stays although it is beyond the bound; those beyond do not.
     kept: Array<bool>,
+    pub floors: Floors,
+    /// Vertex -> the local feature size there, NaN where it is not known.
+    feature_sizes: Array<f64>,
     /// Subsegments and subfacets near a point.
     pub near: NearBoundary,
     /// Simplices at a vertex, for searches.
@@ -133,8 +141,8 @@ impl Subfacet {
 type Side = (VertexId, VertexId, u32, u8);
 
 impl Facets {
-    /// Makes the sheets of `triangles`, each given with its vertices and facet. Edges that are lines
-    /// of `chains`, all of one subsegment, are their subsegments.
+    /// Makes the sheets of `triangles`, each given with its vertices and facet. Edges that are
+    /// lines of `chains`, all of one subsegment, are their subsegments.
     pub fn new(
         facets: Vec<Facet>,
         balances: &[i64],
@@ -222,6 +230,7 @@ impl Facets {
     pub fn set_sharp(
         &mut self,
         is_sharp: Vec<bool>,
+        ends: &[VertexId],
         mut meetings: Vec<(u32, u32, Meeting)>,
     ) -> AllocResult<()> {
         self.has_sharp = filled(self.facets.len(), false)?;
@@ -229,6 +238,14 @@ impl Facets {
             let mut lines = own.subsegments.iter().filter(|&&line| line != NONE);
             self.has_sharp[own.facet as usize] |= lines.any(|&line| is_sharp[line as usize]);
         }
+        let first = self.at_first.as_ref();
+        let sharp = || {
+            ends.iter().flat_map(|&end| {
+                let own = first.map_or(&[][..], |first| first.of(end.index()));
+                own.iter().map(move |&facet| (facet, end.number()))
+            })
+        };
+        self.sharp_ends = Some(Lists::of_pairs(self.facets.len(), sharp)?);
         meetings.sort_unstable();
         meetings.dedup();
         (self.is_sharp, self.meetings) = (is_sharp, meetings);
@@ -238,6 +255,11 @@ impl Facets {
     /// Returns true if facets or segments meet at a small angle at a line.
     pub fn is_sharp_line(&self, line: u32) -> bool {
         self.is_sharp.get(line as usize).copied().unwrap_or(false)
+    }
+
+    /// Returns the ends of sharp lines that are on a facet, some of them several times.
+    pub fn sharp_ends(&self, facet: u32) -> &[u32] {
+        self.sharp_ends.as_ref().map_or(&[], |ends| ends.of(facet as usize))
     }
 
     /// Returns true if a facet has a sharp line.
@@ -348,8 +370,8 @@ impl Facets {
         Some(subfacet.0)
     }
 
-    /// Marks a subfacet as one that is not split any more, since doubles are too coarse for a vertex
-    /// in it.
+    /// Marks a subfacet as one that is not split any more, since doubles are too coarse for a
+    /// vertex in it.
     pub fn limit(&mut self, subfacet: u32) {
         self.subfacets[subfacet as usize].is_limited = true;
     }
@@ -363,6 +385,11 @@ impl Facets {
         self.kept.cover(simplex.index() + 1, false)?;
         self.kept[simplex] = true;
         Ok(())
+    }
+
+    /// Forgets that a simplex stays as it is.
+    pub fn release(&mut self, simplex: SimplexId) {
+        self.kept[simplex] = false;
     }
 
     pub fn is_kept(&self, simplex: SimplexId) -> bool {
@@ -386,6 +413,22 @@ impl Facets {
     pub fn at_vertices(&self, count: usize) -> AllocResult<Lists> {
         let of = |own: &Subfacet| own.vertices.map(|vertex| (vertex.number(), own.facet));
         Lists::of_pairs(count, || self.subfacets.iter().flat_map(of))
+    }
+
+    /// Returns true if a vertex was there before any line or facet was split.
+    pub fn is_first(&self, vertex: VertexId) -> bool {
+        self.at_first.as_ref().is_some_and(|first| vertex.index() < first.count())
+    }
+
+    /// Returns the local feature size at an end of lines, if it is known.
+    pub fn feature_size(&self, end: VertexId) -> Option<f64> {
+        self.feature_sizes.get(end.index()).copied().filter(|size| !size.is_nan())
+    }
+
+    pub fn set_feature_size(&mut self, end: VertexId, size: f64) -> AllocResult<()> {
+        self.feature_sizes.cover(end.index() + 1, f64::NAN)?;
+        self.feature_sizes[end] = size;
+        Ok(())
     }
 
     /// Returns the number of subfacets that wait for a look.

@@ -1,7 +1,7 @@
-//! The plane of a facet. In the projection that drops the coordinate of the largest component of the
-//! normal, a plane is that coordinate as a linear function of the two others, whose slopes are at
-//! most one. So a point is put on the plane by one rounding, and stays where it is in the projection;
-//! on a plane that is parallel to two axes it is exact.
+//! The plane of a facet. In the projection that drops the coordinate of the largest component of
+//! the normal, a plane is that coordinate as a linear function of the two others, whose slopes are
+//! at most one. So a point is put on the plane by one rounding, and stays where it is in the
+//! projection; on a plane that is parallel to two axes it is exact.
 
 use crate::numerics::{DoubleDouble, Sign, orientation};
 

@@ -1,5 +1,5 @@
-//! Changes of sheets: a vertex goes in, edges flip. They know no coordinates: whoever calls has made
-//! sure that the triangles turn the right way.
+//! Changes of sheets: a vertex goes in, edges flip. They know no coordinates: whoever calls has
+//! made sure that the triangles turn the right way.
 
 use super::{Facets, Subfacet};
 use crate::complex::VertexId;

@@ -1,5 +1,5 @@
-//! Segments, as the mesh knows them: chains of subsegments, and the regions that they separate in the
-//! plane, and facets in space.
+//! Segments, as the mesh knows them: chains of subsegments, and the regions that they separate in
+//! the plane, and facets in space.
 
 pub(in crate::netmesh) mod chain;
 pub(in crate::netmesh) mod regions;

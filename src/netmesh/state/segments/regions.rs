@@ -1,7 +1,7 @@
 //! Regions: the parts of the plane or of space that walls separate, as sets of simplices. They are
 //! found when all of the boundary is recovered. Then a simplex belongs to what its predecessors
-//! belonged to, for the cavity of a point that crosses no wall is on one side of all of them. Where a
-//! point crossed some, what is on either side of a wall tells, once they are recovered again.
+//! belonged to, for the cavity of a point that crosses no wall is on one side of all of them. Where
+//! a point crossed some, what is on either side of a wall tells, once they are recovered again.
 
 use crate::complex::{Complex, SimplexId};
 use crate::delaunay::{Cavity, Delaunay};

@@ -1,0 +1,136 @@
+//! The guard of the boundary in space: what a simplex may ask to be split. Beside small angles of the
+//! input, pieces of the boundary that are small beside the simplex would be split for ever: each
+//! would ask for the next.
+
+use crate::complex::{SimplexId, VertexId};
+use crate::memory::AllocResult;
+use crate::netmesh::state::State;
+use crate::netmesh::state::facets::floors::{Floors, Guard};
+use crate::numerics::{distance, shortest_distance};
+
+/// A simplex may ask for a split only where the radius of what is split, relative to its shortest
+/// edge, is as large as this.
+const GUARD: f64 = 0.7;
+
+/// Radius about an end of sharp lines in which nothing is split for a simplex, relative to the local
+/// feature size there.
+const OF_FEATURE: f64 = 0.25;
+
+impl<const D: usize> State<D> {
+    /// Returns true unless a subsegment is of a sharp line, and `guard` keeps it.
+    pub(super) fn may_split(&mut self, subsegment: u32, guard: Guard) -> AllocResult<bool> {
+        self.in_space().map_or(Ok(true), |state| state.guard_admits(subsegment, guard))
+    }
+}
+
+impl State<3> {
+    /// Returns true if a guard lets a subsegment be split.
+    fn guard_admits(&mut self, subsegment: u32, guard: Guard) -> AllocResult<bool> {
+        let own = *self.segments.chains.get(subsegment);
+        if !self.facets.is_sharp_line(own.line) {
+            return Ok(true);
+        }
+        let [a, b] = own.ends.map(|end| self.delaunay.point(end));
+        let half = 0.5 * distance(a, b);
+        let is_admitted = guard.admits(half, self.facets.floors.of_line(own.line));
+        if !is_admitted || !matches!(guard, Guard::Usual { .. }) {
+            return Ok(is_admitted);
+        }
+        let middle = std::array::from_fn(|k| 0.5 * a[k] + 0.5 * b[k]);
+        let ends = self.segments.chains.lines[own.line as usize].ends;
+        Ok(!(self.is_protected(ends[0], &middle)? || self.is_protected(ends[1], &middle)?))
+    }
+
+    /// Returns true if `x` is so near to an end of sharp lines that nothing is split there for a
+    /// simplex: what is around two facets that meet at a small angle just there would be split again
+    /// for the next simplices, ever nearer to the end.
+    fn is_protected(&mut self, end: VertexId, x: &[f64; 3]) -> AllocResult<bool> {
+        Ok(distance(self.delaunay.point(end), x) < OF_FEATURE * self.feature_size(end)?)
+    }
+
+    /// Returns true if a guard lets a subfacet be split.
+    fn guard_admits_subfacet(&mut self, subfacet: u32, guard: Guard) -> AllocResult<bool> {
+        let facet = self.facets.get(subfacet).facet;
+        if !self.facets.is_sharp_facet(facet) {
+            return Ok(true);
+        }
+        let (center, radius) = self.circle_of(subfacet);
+        let is_admitted = guard.admits(radius, self.facets.floors.of_facet(facet));
+        if !is_admitted || !matches!(guard, Guard::Usual { .. }) {
+            return Ok(is_admitted);
+        }
+        for at in 0..self.facets.sharp_ends(facet).len() {
+            let end = VertexId::new(self.facets.sharp_ends(facet)[at] as usize);
+            if self.is_protected(end, &center)? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    /// Keeps those of the encroached subsegments and subfacets that the guard lets a simplex split, and
+    /// returns the guard.
+    pub(super) fn keep_large(&mut self, simplex: SimplexId) -> AllocResult<Guard> {
+        let vertices = self.delaunay.complex().vertices(simplex);
+        let points: [&[f64; 3]; 4] = std::array::from_fn(|at| self.delaunay.point(vertices[at]));
+        let least = GUARD * shortest_distance(&points).2;
+        let guard = match self.facets.floors.are_set() && !self.has_small_angle(simplex) {
+            true => Guard::Low { least },
+            false => Guard::Usual { least },
+        };
+        let mut near = std::mem::take(&mut self.facets.near);
+        let mut kept = 0;
+        for at in 0..near.subsegments.len() {
+            if self.guard_admits(near.subsegments[at].0, guard)? {
+                near.subsegments[kept] = near.subsegments[at];
+                kept += 1;
+            }
+        }
+        near.subsegments.truncate(kept);
+        let mut kept = 0;
+        for at in 0..near.subfacets.len() {
+            if self.guard_admits_subfacet(near.subfacets[at].0, guard)? {
+                near.subfacets[kept] = near.subfacets[at];
+                kept += 1;
+            }
+        }
+        near.subfacets.truncate(kept);
+        self.facets.near = near;
+        Ok(guard)
+    }
+
+    /// Lets simplices that were kept at no small angle ask once more for splits, of parts down to the
+    /// floors that are set now. False if there are none, or it was done before.
+    pub(in crate::netmesh) fn lower_guard(&mut self) -> AllocResult<bool> {
+        if self.facets.is_empty() || self.facets.floors.are_set() {
+            return Ok(false);
+        }
+        let mut is_any = false;
+        for simplex in self.delaunay.complex().simplices() {
+            let is_live = self.delaunay.complex().is_live(simplex);
+            if is_live && self.facets.is_kept(simplex) && !self.has_small_angle(simplex) {
+                self.facets.release(simplex);
+                is_any = true;
+            }
+        }
+        if is_any {
+            self.facets.floors = self.floors()?;
+        }
+        Ok(is_any)
+    }
+
+    /// Returns the floors of all facets and lines, by the parts that they have.
+    fn floors(&self) -> AllocResult<Floors> {
+        let chains = &self.segments.chains;
+        let mut floors = Floors::new(self.facets.facets.len(), chains.lines.len())?;
+        for subfacet in 0..self.facets.len() as u32 {
+            floors.note_subfacet(self.facets.get(subfacet).facet, self.circle_of(subfacet).1);
+        }
+        for subsegment in 0..chains.len() as u32 {
+            let own = chains.get(subsegment);
+            let [a, b] = own.ends.map(|end| self.delaunay.point(end));
+            floors.note_subsegment(own.line, 0.5 * distance(a, b));
+        }
+        Ok(floors)
+    }
+}

@@ -82,11 +82,15 @@ int main(int count, char** arguments) {
 
     PointSet points;
     if (input.find('.') == std::string::npos) {
-        // Lines in space fill up with Steiner points, many to an input.
+        // Lines in space, and planes in 4D, fill up with Steiner points, many to an input.
         const bool is_line = dim > 2 && (input == "collinear" || input == "two_skew_lines");
-        points = generate(input, dim, (dim == 4 ? 1000 : 10000) / (is_line ? 3 : 1));
+        const bool is_plane = dim == 4 && input == "coplanar";
+        points = generate(input, dim, (dim == 4 ? 1000 : 10000) / (is_line ? 6 : is_plane ? 2 : 1));
     } else if (auto read = read_data_file(input, dim)) {
         points = *read;
+        // The scan has 38,000 points, all of a kind.
+        const std::size_t most = dim == 3 ? 15000 : points.size();
+        if (points.size() > most) points.coordinates.resize(most * dim);
     } else {
         return check::skip(input + " is not in the data directory (set NETMESH_DATA to it)");
     }

@@ -15,7 +15,7 @@
 
 namespace {
 
-constexpr int log_spreads[] = {64, 128, 192, 256, 512, 1024, 1800};
+constexpr int log_spreads[] = {64, 256, 512, 1024, 1800};
 constexpr int seeds = 8;
 
 struct Outcome {

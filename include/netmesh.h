@@ -286,9 +286,9 @@ typedef int32_t nm_extent;
 
 /**
  * File formats; docs/formats.md tells what each contains. Point formats (XYZ, CSV, NPY) can be
- * written before a run; the others are refused then (NM_STATE in C), and so is a format that cannot
- * hold the mesh's dimension (NM_INVALID_ARGUMENT). VTU and the two JSON formats cannot be read. Of
- * the others the points are read.
+ * written before a run; the others are refused then (NM_STATE in C), and so is a format that
+ * cannot hold the mesh's dimension (NM_INVALID_ARGUMENT). VTU and the two JSON formats cannot be
+ * read. Of the others the points are read.
  */
 enum nm_format
 #ifdef __cplusplus
@@ -1274,9 +1274,9 @@ typedef struct nm_options {
     nm_extent extent;
     /**
      * Rule by which regions between segments, in 3D between facets, are inside, with
-     * NM_EXTENT_BOUNDARY and, where there are segments or facets, NM_EXTENT_AUTO; otherwise it must
-     * be neither NM_INTERIOR_PARITY nor NM_INTERIOR_WINDING. Seeds (nm_mesh_set_regions) may make holes of these regions. Default
-     * NM_INTERIOR_AUTO.
+     * NM_EXTENT_BOUNDARY and, where there are segments or facets, NM_EXTENT_AUTO; otherwise it
+     * must be neither NM_INTERIOR_PARITY nor NM_INTERIOR_WINDING. Seeds (nm_mesh_set_regions) may
+     * make holes of these regions. Default NM_INTERIOR_AUTO.
      */
     nm_interior interior;
     /**
@@ -1597,8 +1597,8 @@ typedef struct nm_region {
  */
 typedef struct nm_intersection {
     /**
-     * Set by the caller to sizeof(nm_intersection) in the first element of an array, whose elements
-     * stand as many bytes apart; the function sets it in the others.
+     * Set by the caller to sizeof(nm_intersection) in the first element of an array, whose
+     * elements stand as many bytes apart; the function sets it in the others.
      */
     uint32_t struct_size;
     /**
@@ -1610,7 +1610,8 @@ typedef struct nm_intersection {
      */
     nm_feature first_feature;
     /**
-     * The number of the first in nm_mesh_set_facets, nm_mesh_set_triangles or nm_mesh_set_segments.
+     * The number of the first in nm_mesh_set_facets, nm_mesh_set_triangles or
+     * nm_mesh_set_segments.
      */
     uint32_t first;
     /**
@@ -1718,8 +1719,8 @@ typedef struct nm_quality {
     uint64_t below_min_angle;
     /**
      * Tetrahedra with all vertices on one facet, which are flat but for the roundings of vertices
-     * and, with nm_options.coplanar, for its bends: four of them on a circle may be one. They belong
-     * to the facet, and the figures above leave them out.
+     * and, with nm_options.coplanar, for its bends: four of them on a circle may be one. They
+     * belong to the facet, and the figures above leave them out.
      */
     uint64_t flat;
 } nm_quality;
@@ -1995,8 +1996,8 @@ nm_status nm_mesh_create(uint32_t dim,
 
 /**
  * Makes a mesh of the points of a file, as nm_mesh_create does; of NM_FORMAT_POLY,
- * NM_FORMAT_SMESH, NM_FORMAT_GEOJSON and NM_FORMAT_WKT with its segments, facets and regions, as by
- * nm_mesh_set_segments, nm_mesh_set_facets and nm_mesh_set_regions; of NM_FORMAT_OFF and
+ * NM_FORMAT_SMESH, NM_FORMAT_GEOJSON and NM_FORMAT_WKT with its segments, facets and regions, as
+ * by nm_mesh_set_segments, nm_mesh_set_facets and nm_mesh_set_regions; of NM_FORMAT_OFF and
  * NM_FORMAT_PLY in 3D with its faces, as by nm_mesh_set_triangles or, if some are no triangles,
  * nm_mesh_set_facets.
  *
@@ -2089,17 +2090,15 @@ nm_status nm_mesh_options(const struct nm_mesh *mesh,
  * its value and the range; with segments also two that cross, an input where curves do not close,
  * segments that enclose nothing; a seed on a segment, in no region or in that of another),
  * NM_DEGENERATE_INPUT (NM_ALGORITHM_DELAUNAY, the message names the affine rank; a hull or box
- * without area or, in 3D, volume), NM_LIMIT (too many vertices, or coordinates above 3e306; segments for which
- * doubles have no room), NM_CANCELLED, NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh,
- * or it is poisoned).
+ * without area or, in 3D, volume), NM_LIMIT (too many vertices, or coordinates above 3e306;
+ * segments for which doubles have no room), NM_CANCELLED, NM_OUT_OF_MEMORY, NM_STATE (another call
+ * is using the mesh, or it is poisoned).
  *
  * O(n log n) expected time and O(n) memory for NM_OUTPUT_HIERARCHICAL, the constants growing
  * exponentially with the dimension; for NM_OUTPUT_WELL_SPACED plus the size of the result. Any
  * thread; different meshes may be run at the same time.
  */
-NM_NODISCARD NM_API
-nm_status nm_run(struct nm_mesh *mesh,
-                 const struct nm_options *options);
+NM_NODISCARD NM_API nm_status nm_run(struct nm_mesh *mesh, const struct nm_options *options);
 
 /**
  * Gives the inputs sizes, for the calls of nm_run that follow: beside nm_options.max_edge and
@@ -3025,13 +3024,13 @@ nm_status nm_mesh_set_segments(struct nm_mesh *mesh,
 
 /**
  * Tells what the regions are that segments bound in 2D and facets in 3D: their labels, which of
- * them are holes, and how large their simplices may be. They replace those of an earlier call; count 0 removes
- * them. The result of a run stays as it is until the next.
+ * them are holes, and how large their simplices may be. They replace those of an earlier call;
+ * count 0 removes them. The result of a run stays as it is until the next.
  *
  * regions: copied. nm_run refuses seeds that name no region, and two in one region, by their
  * numbers. With NM_EXTENT_ALL what surrounds all segments or facets is a region, too; with other
- * extents a seed must be in the hull, in the box, or in what segments or facets enclose. Where a rule of
- * nm_options.interior leaves a region out, it may have the seed of a hole.
+ * extents a seed must be in the hull, in the box, or in what segments or facets enclose. Where a
+ * rule of nm_options.interior leaves a region out, it may have the seed of a hole.
  *
  * Errors: NM_NULL_ARGUMENT (mesh, regions), NM_INVALID_ARGUMENT (a mesh of more than three
  * dimensions, a field; the message names region, field and rule), NM_NON_FINITE (a seed),
@@ -3100,9 +3099,10 @@ nm_status nm_mesh_get_simplex_regions(const struct nm_mesh *mesh,
  *
  * A loop of three inputs or more is a polygon, the last input of which is joined to the first. A
  * point is in the facet if an odd number of its polygons surround it: so a polygon in another one
- * is a hole. A loop of two inputs is a segment in the facet, one of one input a vertex in it, as in
- * TetGen's .poly files. A facet has at least one polygon, and its first one tells its normal: that
- * points to where it is seen counterclockwise (nm_options.interior, nm_mesh_get_facet_triangles).
+ * is a hole. A loop of two inputs is a segment in the facet, one of one input a vertex in it, as
+ * in TetGen's .poly files. A facet has at least one polygon, and its first one tells its normal:
+ * that points to where it is seen counterclockwise (nm_options.interior,
+ * nm_mesh_get_facet_triangles).
  *
  * Facets may stand in the domain, bound it or end in it, and any number of them may meet at a
  * segment. They may meet only in vertices and edges that they share, by numbers of equal points:
@@ -3153,9 +3153,10 @@ nm_status nm_mesh_set_triangles(struct nm_mesh *mesh,
                                 const int32_t *markers);
 
 /**
- * Writes the triangles that facets have become: three vertex ids a triangle, counterclockwise where
- * the normal of the facet points to; by facets, those of hulls and boxes last. Each is a facet of a
- * simplex of the mesh: there are none of what is outside of the domain. None without facets.
+ * Writes the triangles that facets have become: three vertex ids a triangle, counterclockwise
+ * where the normal of the facet points to; by facets, those of hulls and boxes last. Each is a
+ * facet of a simplex of the mesh: there are none of what is outside of the domain. None without
+ * facets.
  *
  * Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
  * NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (before nm_run, nm_run at work, poisoned).
@@ -3168,8 +3169,8 @@ nm_status nm_mesh_get_facet_triangles(const struct nm_mesh *mesh,
 
 /**
  * Writes for each triangle of nm_mesh_get_facet_triangles the facet that it is a part of: its
- * number in nm_mesh_set_facets or nm_mesh_set_triangles, of triangles that are one facet the first;
- * NM_NONE for the boundary of a hull or box.
+ * number in nm_mesh_set_facets or nm_mesh_set_triangles, of triangles that are one facet the
+ * first; NM_NONE for the boundary of a hull or box.
  *
  * Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
  * NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (before nm_run, nm_run at work, poisoned).
@@ -3181,9 +3182,9 @@ nm_status nm_mesh_get_facet_parents(const struct nm_mesh *mesh,
                                     uint64_t *needed);
 
 /**
- * Writes for each triangle of nm_mesh_get_facet_triangles the two simplices that have it: first the
- * one where the normal of the facet points to, then the one behind; NM_NONE where the domain ends.
- * (nm_mesh_get_facet_simplices tells those of all facets of simplices.)
+ * Writes for each triangle of nm_mesh_get_facet_triangles the two simplices that have it: first
+ * the one where the normal of the facet points to, then the one behind; NM_NONE where the domain
+ * ends. (nm_mesh_get_facet_simplices tells those of all facets of simplices.)
  *
  * Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
  * NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (before nm_run, nm_run at work, poisoned).
@@ -3197,21 +3198,21 @@ nm_status nm_mesh_get_facet_triangle_simplices(const struct nm_mesh *mesh,
 /**
  * Writes all pairs of the facets and segments that the mesh was given last (nm_mesh_set_facets,
  * nm_mesh_set_triangles, nm_mesh_set_segments) that meet in more than vertices and edges that they
- * share, each with the kind of the intersection and a point of it; a facet that meets itself or has
- * no area is such a pair, too. By first, then by second; facets come before segments. The test is
- * exact. None: nm_run can keep them, if doubles have room; otherwise it refuses with the first.
+ * share, each with the kind of the intersection and a point of it; a facet that meets itself or
+ * has no area is such a pair, too. By first, then by second; facets come before segments. The test
+ * is exact. None: nm_run can keep them, if doubles have room; otherwise it refuses with the first.
  * 3D only. Before nm_run, after it, and after it has failed.
  *
  * buf[0].struct_size: set by the caller, to sizeof(nm_intersection) or what it was in an earlier
  * version; the elements stand as many bytes apart. It is read only if the array has elements.
  * capacity and *needed count elements.
  *
- * Array getter, see the top of this file. The first call takes the time: O(n log n) for n triangles
- * and segments whose boxes meet few others, O(n + pairs of boxes that meet) otherwise. The handle
- * keeps the array until something is set or nm_run succeeds.
+ * Array getter, see the top of this file. The first call takes the time: O(n log n) for n
+ * triangles and segments whose boxes meet few others, O(n + pairs of boxes that meet) otherwise.
+ * The handle keeps the array until something is set or nm_run succeeds.
  *
- * Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT (a mesh that is not 3D, buf not
- * aligned, buf[0].struct_size), NM_OUT_OF_MEMORY, NM_STATE (nm_run at work, poisoned).
+ * Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT (a mesh that is not 3D, buf
+ * not aligned, buf[0].struct_size), NM_OUT_OF_MEMORY, NM_STATE (nm_run at work, poisoned).
  */
 NM_NODISCARD NM_API
 nm_status nm_mesh_get_intersections(const struct nm_mesh *mesh,

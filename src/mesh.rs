@@ -329,8 +329,8 @@ impl Mesh {
     /// run stays as it is.
     ///
     /// # Errors
-    /// `InvalidArgument` (a mesh of more than three dimensions; an odd length of `ends`, an end that
-    /// is no input, two ends that are the same point, the length of `markers`), `Capacity`,
+    /// `InvalidArgument` (a mesh of more than three dimensions; an odd length of `ends`, an end
+    /// that is no input, two ends that are the same point, the length of `markers`), `Capacity`,
     /// `OutOfMemory`.
     pub fn set_segments(&mut self, ends: &[u32], markers: Option<&[i32]>) -> Result<()> {
         let segments = Segments::new(&self.inputs, ends, markers)?;
@@ -356,9 +356,9 @@ impl Mesh {
     /// facet.
     ///
     /// # Errors
-    /// `InvalidArgument` (a mesh that is not in space; starts that do not rise from 0 to the lengths;
-    /// a number that is no input; a loop with one point twice in a row; a facet without a polygon;
-    /// the length of `markers`), `Capacity`, `OutOfMemory`.
+    /// `InvalidArgument` (a mesh that is not in space; starts that do not rise from 0 to the
+    /// lengths; a number that is no input; a loop with one point twice in a row; a facet without a
+    /// polygon; the length of `markers`), `Capacity`, `OutOfMemory`.
     pub fn set_facets(
         &mut self,
         loop_starts: &[u64],
@@ -400,8 +400,8 @@ impl Mesh {
         &self.facets
     }
 
-    /// Returns the facets that the result was made with, which [`Boundary::subfacet_parents`] refers
-    /// to.
+    /// Returns the facets that the result was made with, which [`Boundary::subfacet_parents`]
+    /// refers to.
     pub fn facets_of_result(&self) -> &Facets {
         self.earlier_facets.as_ref().unwrap_or(&self.facets)
     }

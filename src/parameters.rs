@@ -165,8 +165,8 @@ pub fn with_segments(options: &Options) -> Result<Options> {
     Ok(Options { criterion: Criterion::RadiusEdge, ..options.clone() })
 }
 
-/// Returns the parameters of a mesh with facets or segments in space, or the sides of a hull or box.
-/// An infinite bound asks for a mesh that conforms to them, and for no quality.
+/// Returns the parameters of a mesh with facets or segments in space, or the sides of a hull or
+/// box. An infinite bound asks for a mesh that conforms to them, and for no quality.
 ///
 /// # Errors
 /// `InvalidArgument`, naming the option, its value and the rule.

@@ -223,7 +223,8 @@ mod tests {
     use crate::numerics::{Sign, orientation};
     use crate::options::Options;
     use crate::query::Index;
-    use std::cell::Cell;
+    use std::cell::{Cell, RefCell};
+    use std::collections::HashMap;
 
     /// Returns true if the interior of a simplex meets the hull of some points, by the linear
     /// programs of `separation` with the rule of the least index alone and over all points.
@@ -231,26 +232,35 @@ mod tests {
         let vectors = D + 1 + points.len();
         let vector = |at: usize| if at <= D { simplex[at] } else { &points[at - D - 1] };
         let side = |at: usize| if at <= D { Sign::Negative } else { Sign::Positive };
-        let coordinate = |basis: &[usize], row: usize, q: usize| {
-            let mut members: Vec<&[f64; D]> = basis.iter().map(|&at| vector(at)).collect();
-            let whole = orientation(&members);
-            members[row] = vector(q);
-            orientation(&members) * whole * side(basis[row])
+        // The programs of a simplex go through the same bases.
+        let turns = RefCell::<HashMap<Vec<usize>, Sign>>::default();
+        let turn = |basis: &[usize]| -> Sign {
+            let made = || orientation(&basis.iter().map(|&at| vector(at)).collect::<Vec<_>>());
+            *turns.borrow_mut().entry(basis.to_vec()).or_insert_with(made)
+        };
+        // `whole` is the turn of the basis.
+        let coordinate = |basis: &[usize], whole: Sign, row: usize, q: usize| {
+            let mut replaced = basis.to_vec();
+            replaced[row] = q;
+            turn(&replaced) * whole * side(basis[row])
         };
         let is_sum = |i: usize| {
             let mut basis: Vec<usize> = (0..=D).collect();
-            let beyond = |&at: &usize| coordinate(&basis, i, at) == Sign::Negative;
+            let whole = turn(&basis);
+            let beyond = |&at: &usize| coordinate(&basis, whole, i, at) == Sign::Negative;
             let Some(first) = (D + 1..vectors).find(beyond) else { return false };
             basis[i] = first;
             loop {
-                let is_negative = |&row: &usize| coordinate(&basis, row, i) == Sign::Negative;
+                let whole = turn(&basis);
+                let is_negative =
+                    |&row: &usize| coordinate(&basis, whole, row, i) == Sign::Negative;
                 let Some(row) = (0..=D).filter(is_negative).min_by_key(|&row| basis[row]) else {
                     return true;
                 };
                 let enters = |&at: &usize| {
                     at != i
                         && !basis.contains(&at)
-                        && coordinate(&basis, row, at) * side(at) == Sign::Negative
+                        && coordinate(&basis, whole, row, at) * side(at) == Sign::Negative
                 };
                 let Some(at) = (0..vectors).find(enters) else { return false };
                 basis[row] = at;

@@ -85,13 +85,13 @@ pub unsafe extern "C" fn nm_mesh_set_segments(
 }
 
 /// Tells what the regions are that segments bound in 2D and facets in 3D: their labels, which of
-/// them are holes, and how large their simplices may be. They replace those of an earlier call; count 0 removes
-/// them. The result of a run stays as it is until the next.
+/// them are holes, and how large their simplices may be. They replace those of an earlier call;
+/// count 0 removes them. The result of a run stays as it is until the next.
 ///
 /// regions: copied. nm_run refuses seeds that name no region, and two in one region, by their
 /// numbers. With NM_EXTENT_ALL what surrounds all segments or facets is a region, too; with other
-/// extents a seed must be in the hull, in the box, or in what segments or facets enclose. Where a rule of
-/// nm_options.interior leaves a region out, it may have the seed of a hole.
+/// extents a seed must be in the hull, in the box, or in what segments or facets enclose. Where a
+/// rule of nm_options.interior leaves a region out, it may have the seed of a hole.
 ///
 /// Errors: NM_NULL_ARGUMENT (mesh, regions), NM_INVALID_ARGUMENT (a mesh of more than three
 /// dimensions, a field; the message names region, field and rule), NM_NON_FINITE (a seed),

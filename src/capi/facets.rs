@@ -1,5 +1,5 @@
-//! Facets in space: polygons and triangles, what a run has made of them, and where they meet in more
-//! than they may.
+//! Facets in space: polygons and triangles, what a run has made of them, and where they meet in
+//! more than they may.
 
 use super::enums::{nm_feature, nm_intersection_kind, nm_status};
 use super::getters::{get_array, result};
@@ -14,14 +14,15 @@ use crate::mesh::{Feature, Intersection, IntersectionKind, check_starts};
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct nm_intersection {
-    /// Set by the caller to sizeof(nm_intersection) in the first element of an array, whose elements
-    /// stand as many bytes apart; the function sets it in the others.
+    /// Set by the caller to sizeof(nm_intersection) in the first element of an array, whose
+    /// elements stand as many bytes apart; the function sets it in the others.
     pub struct_size: u32,
     /// The kind of the intersection.
     pub kind: nm_intersection_kind,
     /// The kind of the first of the two, a facet or a segment.
     pub first_feature: nm_feature,
-    /// The number of the first in nm_mesh_set_facets, nm_mesh_set_triangles or nm_mesh_set_segments.
+    /// The number of the first in nm_mesh_set_facets, nm_mesh_set_triangles or
+    /// nm_mesh_set_segments.
     pub first: u32,
     /// The kind of the second.
     pub second_feature: nm_feature,
@@ -52,9 +53,10 @@ const _: () = assert!(size_of::<nm_intersection>() == 6 * 4 + 3 * 8);
 ///
 /// A loop of three inputs or more is a polygon, the last input of which is joined to the first. A
 /// point is in the facet if an odd number of its polygons surround it: so a polygon in another one
-/// is a hole. A loop of two inputs is a segment in the facet, one of one input a vertex in it, as in
-/// TetGen's .poly files. A facet has at least one polygon, and its first one tells its normal: that
-/// points to where it is seen counterclockwise (nm_options.interior, nm_mesh_get_facet_triangles).
+/// is a hole. A loop of two inputs is a segment in the facet, one of one input a vertex in it, as
+/// in TetGen's .poly files. A facet has at least one polygon, and its first one tells its normal:
+/// that points to where it is seen counterclockwise (nm_options.interior,
+/// nm_mesh_get_facet_triangles).
 ///
 /// Facets may stand in the domain, bound it or end in it, and any number of them may meet at a
 /// segment. They may meet only in vertices and edges that they share, by numbers of equal points:
@@ -155,9 +157,10 @@ pub(super) unsafe fn read_markers<'a>(
     unsafe { read_rows("markers", markers, count, 1).map(Some) }
 }
 
-/// Writes the triangles that facets have become: three vertex ids a triangle, counterclockwise where
-/// the normal of the facet points to; by facets, those of hulls and boxes last. Each is a facet of a
-/// simplex of the mesh: there are none of what is outside of the domain. None without facets.
+/// Writes the triangles that facets have become: three vertex ids a triangle, counterclockwise
+/// where the normal of the facet points to; by facets, those of hulls and boxes last. Each is a
+/// facet of a simplex of the mesh: there are none of what is outside of the domain. None without
+/// facets.
 ///
 /// Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
 /// NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (before nm_run, nm_run at work, poisoned).
@@ -177,8 +180,8 @@ pub unsafe extern "C" fn nm_mesh_get_facet_triangles(
 }
 
 /// Writes for each triangle of nm_mesh_get_facet_triangles the facet that it is a part of: its
-/// number in nm_mesh_set_facets or nm_mesh_set_triangles, of triangles that are one facet the first;
-/// NM_NONE for the boundary of a hull or box.
+/// number in nm_mesh_set_facets or nm_mesh_set_triangles, of triangles that are one facet the
+/// first; NM_NONE for the boundary of a hull or box.
 ///
 /// Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
 /// NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (before nm_run, nm_run at work, poisoned).
@@ -195,9 +198,9 @@ pub unsafe extern "C" fn nm_mesh_get_facet_parents(
     }
 }
 
-/// Writes for each triangle of nm_mesh_get_facet_triangles the two simplices that have it: first the
-/// one where the normal of the facet points to, then the one behind; NM_NONE where the domain ends.
-/// (nm_mesh_get_facet_simplices tells those of all facets of simplices.)
+/// Writes for each triangle of nm_mesh_get_facet_triangles the two simplices that have it: first
+/// the one where the normal of the facet points to, then the one behind; NM_NONE where the domain
+/// ends. (nm_mesh_get_facet_simplices tells those of all facets of simplices.)
 ///
 /// Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
 /// NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (before nm_run, nm_run at work, poisoned).
@@ -218,21 +221,21 @@ pub unsafe extern "C" fn nm_mesh_get_facet_triangle_simplices(
 
 /// Writes all pairs of the facets and segments that the mesh was given last (nm_mesh_set_facets,
 /// nm_mesh_set_triangles, nm_mesh_set_segments) that meet in more than vertices and edges that they
-/// share, each with the kind of the intersection and a point of it; a facet that meets itself or has
-/// no area is such a pair, too. By first, then by second; facets come before segments. The test is
-/// exact. None: nm_run can keep them, if doubles have room; otherwise it refuses with the first.
+/// share, each with the kind of the intersection and a point of it; a facet that meets itself or
+/// has no area is such a pair, too. By first, then by second; facets come before segments. The test
+/// is exact. None: nm_run can keep them, if doubles have room; otherwise it refuses with the first.
 /// 3D only. Before nm_run, after it, and after it has failed.
 ///
 /// buf[0].struct_size: set by the caller, to sizeof(nm_intersection) or what it was in an earlier
 /// version; the elements stand as many bytes apart. It is read only if the array has elements.
 /// capacity and *needed count elements.
 ///
-/// Array getter, see the top of this file. The first call takes the time: O(n log n) for n triangles
-/// and segments whose boxes meet few others, O(n + pairs of boxes that meet) otherwise. The handle
-/// keeps the array until something is set or nm_run succeeds.
+/// Array getter, see the top of this file. The first call takes the time: O(n log n) for n
+/// triangles and segments whose boxes meet few others, O(n + pairs of boxes that meet) otherwise.
+/// The handle keeps the array until something is set or nm_run succeeds.
 ///
-/// Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT (a mesh that is not 3D, buf not
-/// aligned, buf[0].struct_size), NM_OUT_OF_MEMORY, NM_STATE (nm_run at work, poisoned).
+/// Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT (a mesh that is not 3D, buf
+/// not aligned, buf[0].struct_size), NM_OUT_OF_MEMORY, NM_STATE (nm_run at work, poisoned).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn nm_mesh_get_intersections(
     mesh: *const nm_mesh,

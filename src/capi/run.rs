@@ -22,9 +22,9 @@ use crate::options::{Options, Progress, ProgressFn, SizeFn};
 /// its value and the range; with segments also two that cross, an input where curves do not close,
 /// segments that enclose nothing; a seed on a segment, in no region or in that of another),
 /// NM_DEGENERATE_INPUT (NM_ALGORITHM_DELAUNAY, the message names the affine rank; a hull or box
-/// without area or, in 3D, volume), NM_LIMIT (too many vertices, or coordinates above 3e306; segments for which
-/// doubles have no room), NM_CANCELLED, NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh,
-/// or it is poisoned).
+/// without area or, in 3D, volume), NM_LIMIT (too many vertices, or coordinates above 3e306;
+/// segments for which doubles have no room), NM_CANCELLED, NM_OUT_OF_MEMORY, NM_STATE (another call
+/// is using the mesh, or it is poisoned).
 ///
 /// O(n log n) expected time and O(n) memory for NM_OUTPUT_HIERARCHICAL, the constants growing
 /// exponentially with the dimension; for NM_OUTPUT_WELL_SPACED plus the size of the result. Any

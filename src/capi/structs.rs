@@ -122,9 +122,9 @@ pub struct nm_options {
     /// Default NM_EXTENT_AUTO.
     pub extent: MaybeUninit<Extent>,
     /// Rule by which regions between segments, in 3D between facets, are inside, with
-    /// NM_EXTENT_BOUNDARY and, where there are segments or facets, NM_EXTENT_AUTO; otherwise it must
-    /// be neither NM_INTERIOR_PARITY nor NM_INTERIOR_WINDING. Seeds (nm_mesh_set_regions) may make holes of these regions. Default
-    /// NM_INTERIOR_AUTO.
+    /// NM_EXTENT_BOUNDARY and, where there are segments or facets, NM_EXTENT_AUTO; otherwise it
+    /// must be neither NM_INTERIOR_PARITY nor NM_INTERIOR_WINDING. Seeds (nm_mesh_set_regions) may
+    /// make holes of these regions. Default NM_INTERIOR_AUTO.
     pub interior: MaybeUninit<Interior>,
     /// Treatment of segments in 2D that cross where no input is. Default NM_CROSSINGS_REFUSE.
     pub crossings: MaybeUninit<Crossings>,
@@ -385,8 +385,8 @@ pub struct nm_quality {
     /// angle, and at precision-limited vertices. 0 where no angle was promised, and above 2D.
     pub below_min_angle: u64,
     /// Tetrahedra with all vertices on one facet, which are flat but for the roundings of vertices
-    /// and, with nm_options.coplanar, for its bends: four of them on a circle may be one. They belong
-    /// to the facet, and the figures above leave them out.
+    /// and, with nm_options.coplanar, for its bends: four of them on a circle may be one. They
+    /// belong to the facet, and the figures above leave them out.
     pub flat: u64,
 }
 

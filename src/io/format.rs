@@ -4,9 +4,9 @@ use crate::error::{Error, Result, message};
 use std::path::Path;
 
 /// File formats; docs/formats.md tells what each contains. Point formats (XYZ, CSV, NPY) can be
-/// written before a run; the others are refused then (NM_STATE in C), and so is a format that cannot
-/// hold the mesh's dimension (NM_INVALID_ARGUMENT). VTU and the two JSON formats cannot be read. Of
-/// the others the points are read.
+/// written before a run; the others are refused then (NM_STATE in C), and so is a format that
+/// cannot hold the mesh's dimension (NM_INVALID_ARGUMENT). VTU and the two JSON formats cannot be
+/// read. Of the others the points are read.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(i32)]
 pub enum Format {

@@ -43,8 +43,9 @@ impl Table {
         self.left_out.add(2, facets.count() as u64);
     }
 
-    /// Makes a mesh of the points with their attributes, segments, facets and regions. `is_extended` says
-    /// how the attributes go on at other vertices, as in [`Mesh::set_attribute`].
+    /// Makes a mesh of the points with their attributes, segments, facets and regions.
+    /// `is_extended` says how the attributes go on at other vertices, as in
+    /// [`Mesh::set_attribute`].
     ///
     /// # Errors
     /// The errors of [`Mesh::new`], [`Mesh::set_attribute`], [`Mesh::set_segments`],

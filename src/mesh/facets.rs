@@ -18,8 +18,8 @@ pub struct Facets {
     pub inputs: Vec<u32>,
     /// Number that the caller gave each facet.
     pub markers: Vec<i32>,
-    /// True if the facets are the triangles of a surface. Those that share an edge, lie in one plane
-    /// and have one marker are one facet of the mesh.
+    /// True if the facets are the triangles of a surface. Those that share an edge, lie in one
+    /// plane and have one marker are one facet of the mesh.
     pub are_triangles: bool,
 }
 
@@ -64,8 +64,8 @@ const MAX_COUNT: usize = u32::MAX as usize - 1;
 
 impl Facets {
     /// Makes facets of loops of inputs, where facet `i` has the loops `loop_starts[i]` to
-    /// `loop_starts[i + 1]`, and loop `j` the elements `input_starts[j]` to `input_starts[j + 1]` of
-    /// `members`. Without `markers` every facet has 0.
+    /// `loop_starts[i + 1]`, and loop `j` the elements `input_starts[j]` to `input_starts[j + 1]`
+    /// of `members`. Without `markers` every facet has 0.
     pub(super) fn of_loops(
         inputs: &Inputs,
         [loop_starts, input_starts]: [&[u64]; 2],
@@ -127,8 +127,8 @@ impl Facets {
         })
     }
 
-    /// Fails if a loop of a facet has a number that is no input, or a point twice in a row, or if no
-    /// loop is a polygon.
+    /// Fails if a loop of a facet has a number that is no input, or a point twice in a row, or if
+    /// no loop is a polygon.
     fn check_loops(&self, inputs: &Inputs, facet: usize) -> Result<()> {
         let refuse = |message| Err(Error::invalid(message));
         for (number, members) in self.loops(facet).enumerate() {
@@ -156,8 +156,8 @@ impl Facets {
         }
         if self.loops(facet).all(|members| members.len() < 3) {
             return refuse(message!(
-                "facets[{facet}] has no loop of three or more inputs; a facet must have one, and may \
-                 have segments (two inputs) and vertices (one input) besides"
+                "facets[{facet}] has no loop of three or more inputs; a facet must have one, and \
+                 may have segments (two inputs) and vertices (one input) besides"
             ));
         }
         Ok(())

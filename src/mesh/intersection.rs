@@ -18,8 +18,8 @@ pub enum IntersectionKind {
     /// They meet at a point or along a line that is on the boundary of one of them, and neither
     /// goes through the other.
     Touch = 1,
-    /// They share an area or, of two that meet along a line, a length without sharing it as an edge:
-    /// coplanar facets that overlap, collinear segments, duplicates.
+    /// They share an area or, of two that meet along a line, a length without sharing it as an
+    /// edge: coplanar facets that overlap, collinear segments, duplicates.
     Overlap = 2,
     /// The facet, or a triangle of it, has no area. Both features are the facet.
     ZeroArea = 3,

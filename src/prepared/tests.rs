@@ -6,6 +6,7 @@ use crate::mesh::{NONE, Region};
 use crate::numerics::testing::{Family, Random, points};
 use crate::numerics::{Sign, orientation_exact};
 use crate::query::{Interpolation, Method, Outside};
+use std::ops::Range;
 use std::sync::atomic::AtomicUsize;
 use std::time::Duration;
 
@@ -55,14 +56,17 @@ fn is_separated<const D: usize>(simplex: &[[f64; D]], points: &[[f64; D]]) -> bo
             plane.pop();
             sign
         };
-        let [own, others] = [simplex, points].map(|points| {
-            let signs: Vec<Sign> = points.iter().map(&mut side).collect();
-            let has = |sign| signs.contains(&sign);
-            (has(Sign::Positive), has(Sign::Negative))
-        });
-        let is_apart = |own: (bool, bool), others: (bool, bool)| own.0 && !own.1 && !others.0;
-        let turned = |(a, b)| (b, a);
-        is_apart(own, others) || is_apart(turned(own), turned(others))
+        // Points of the plane are on no side; most planes have the simplex on both.
+        let beside = |range: Range<usize>| range.filter(|i| !set.contains(i));
+        let mut own = Sign::Zero;
+        for i in beside(0..simplex.len()) {
+            match side(all[i]) {
+                Sign::Zero => {}
+                sign if own == sign.flip() => return false,
+                sign => own = sign,
+            }
+        }
+        own != Sign::Zero && beside(simplex.len()..all.len()).all(|i| side(all[i]) != own)
     })
 }
 

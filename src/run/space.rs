@@ -10,8 +10,8 @@ use crate::mesh::{Arrangement, Mesh};
 use crate::options::{Extent, Interior, Options};
 
 impl Mesh {
-    /// Returns true if the mesh has facets or segments in space, or an extent with a boundary of its
-    /// own there.
+    /// Returns true if the mesh has facets or segments in space, or an extent with a boundary of
+    /// its own there.
     pub(super) fn conforms_in_space(&self, extent: Extent) -> bool {
         let has_frame = matches!(extent, Extent::Hull | Extent::Box);
         let has_own = self.given_facets().count() + self.segments().count() > 0;

@@ -71,8 +71,8 @@ pub fn validate(inputs: &Inputs, triangulation: &Triangulation, level: u32) -> R
     check_levels(inputs, None, triangulation, level)
 }
 
-/// Checks a triangulation as [`validate`] does, and the segments, facets and regions that the caller
-/// of the run gave beside the points.
+/// Checks a triangulation as [`validate`] does, and the segments, facets and regions that the
+/// caller of the run gave beside the points.
 ///
 /// # Errors
 /// Fails as [`validate`] does.

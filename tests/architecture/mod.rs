@@ -10,6 +10,7 @@ use files::Graph;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 use uses::{Layers, Source, uses};
 
 fn root() -> PathBuf {
@@ -110,6 +111,12 @@ fn modules_use_what_the_table_says_and_nothing_else() {
     }
 }
 
+/// Returns the graph of the files of `netmesh`, which is made once: that takes some seconds.
+fn graph_of_netmesh() -> &'static Graph {
+    static GRAPH: OnceLock<Graph> = OnceLock::new();
+    GRAPH.get_or_init(|| Graph::of(&sources(), "netmesh"))
+}
+
 /// The folders of `netmesh`, from the lowest up.
 fn folders_of_netmesh() -> Vec<String> {
     table("Inside netmesh").into_iter().map(|(name, _)| name).collect()
@@ -117,7 +124,7 @@ fn folders_of_netmesh() -> Vec<String> {
 
 #[test]
 fn files_of_netmesh_depend_downwards_and_in_no_circle() {
-    let graph = Graph::of(&sources(), "netmesh");
+    let graph = graph_of_netmesh();
     let folders = folders_of_netmesh();
     let below: BTreeSet<&str> =
         graph.files.keys().filter_map(|path| path.split('/').nth(1)).collect();
@@ -130,7 +137,7 @@ fn files_of_netmesh_depend_downwards_and_in_no_circle() {
 /// NEWCAGE may take in inputs that encroach the domains around it, whose cages then grow.
 #[test]
 fn methods_of_netmesh_call_each_other_in_one_circle_only() {
-    let circles = Graph::of(&sources(), "netmesh").method_circles();
+    let circles = graph_of_netmesh().method_circles();
     let methods = ["grow_cage", "grow_cage_for", "make_room_outside", "new_cage"];
     assert_eq!(circles, [methods.map(|method| format!("Mesher::{method}"))]);
 }

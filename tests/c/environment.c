@@ -189,7 +189,7 @@ static void make_inputs(void)
     to = begin(2, "subnormal numbers", 2, 1.0);
     add(to, 1e-310, 0, 0);
     add(to, 0, 3e-309, 0);
-    for (int i = 0; i < 40; ++i)
+    for (int i = 0; i < 20; ++i)
         add(to, drawn() * 5e-324, drawn() * 5e-324, 0);
     to = begin(3, "a circle", 2, 30.0);
     for (int i = 0; i < 32; ++i) {
@@ -203,7 +203,7 @@ static void make_inputs(void)
         add(to, at[0], at[1], at[2]);
     }
     to = begin(5, "close pairs", 2, 0.5);
-    for (int i = 0; i < 30; ++i) {
+    for (int i = 0; i < 15; ++i) {
         double x = 1 + drawn() / 1048576.0, y = 1 + drawn() / 1048576.0;
         add(to, x, y, 0);
         add(to, x + DBL_EPSILON, y, 0);

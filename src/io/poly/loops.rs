@@ -252,8 +252,8 @@ fn kept_axes(normal: [f64; 3]) -> [usize; 2] {
 mod tests {
     use super::*;
 
-    /// Returns the points of squares about one centre, four each, whose sides are 2, 4, 6 and so on, in a plane
-    /// that `place` leads to.
+    /// Returns the points of squares about one centre, four each, whose sides are 2, 4, 6 and so
+    /// on, in a plane that `place` leads to.
     fn squares(count: usize, place: impl Fn([f64; 2]) -> [f64; 3]) -> Vec<f64> {
         let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
         let square = |size: usize| corners.map(|corner| place(corner.map(|x| x * size as f64)));

@@ -14,8 +14,8 @@ use crate::mesh::Region;
 pub(super) use space::Grammar;
 use std::path::Path;
 
-/// Reads a `.poly` or `.smesh` file. `path` is that of the file, if it has one: its points may be in
-/// a `.node` file beside it.
+/// Reads a `.poly` or `.smesh` file. `path` is that of the file, if it has one: its points may be
+/// in a `.node` file beside it.
 pub(super) fn read(
     mut lines: Lines<'_>,
     grammar: Grammar,

@@ -1,5 +1,5 @@
-//! Level 1: the arrays of segments, facets and regions fit the mesh, and those of a domain that is cropped
-//! are the first parts of those of the whole.
+//! Level 1: the arrays of segments, facets and regions fit the mesh, and those of a domain that is
+//! cropped are the first parts of those of the whole.
 
 use super::Outline;
 use super::edges::Edges;

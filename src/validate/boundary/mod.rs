@@ -10,8 +10,8 @@
 //!   them closed curves enclose; `areas`, of the regions; `forced`, the triangles that small angles
 //!   between segments excuse.
 //!
-//! `anchors` are the ends of lines; `exact` and `sum` are the arithmetic. Which simplices are on the
-//! sides of a subsegment or subfacet is found here from the simplices alone (`walls`).
+//! `anchors` are the ends of lines; `exact` and `sum` are the arithmetic. Which simplices are on
+//! the sides of a subsegment or subfacet is found here from the simplices alone (`walls`).
 
 mod anchors;
 mod areas;

@@ -15,8 +15,8 @@ pub(super) struct Faces {
     pub at: Lists,
     /// Vertex -> the subfacets that have it.
     pub subfacets_at: Lists,
-    /// Subfacet -> its facet: the parent, or for those of a hull or box a number beyond all parents,
-    /// which those have in common that are connected without crossing a subsegment.
+    /// Subfacet -> its facet: the parent, or for those of a hull or box a number beyond all
+    /// parents, which those have in common that are connected without crossing a subsegment.
     pub facets: Vec<u32>,
 }
 

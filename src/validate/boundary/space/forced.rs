@@ -116,8 +116,8 @@ impl<'a> Features<'a> {
         Ok(())
     }
 
-    /// Adds the pairs of lines, and of lines and facets, that meet at a vertex below 60 degrees, and
-    /// with a line the facets that end at it.
+    /// Adds the pairs of lines, and of lines and facets, that meet at a vertex below 60 degrees,
+    /// and with a line the facets that end at it.
     fn add_angles_at(&mut self, vertex: u32) -> AllocResult<()> {
         let view = self.view;
         let subsegments = self.faces.at.of(vertex as usize);

@@ -245,7 +245,8 @@ impl Shell {
             let corners = collected(vertices.iter().copied().filter(|&at| ways.is_input(at)))?;
             let vector = area.rounded();
             findings.check(vector.is_some() && !corners.is_empty(), || {
-                let message = "a part of the hull between subsegments is no side: it has no plane, or no input";
+                let message = "a part of the hull between subsegments is no side: it has no \
+                               plane, or no input";
                 Violation::new(ViolationKind::FacetPlane, message).vertex(vertices[0] as usize)
             });
             let Some((normal, _)) = vector else { continue };

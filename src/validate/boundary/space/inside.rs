@@ -28,8 +28,8 @@ fn order(a: &[f64; 2], b: &[f64; 2]) -> Ordering {
 }
 
 /// Finds the sides of the edges of `rim` on which what they enclose is, counted by even and odd,
-/// and which of the edges and points `others` are inside. Edges meet only at their ends. O(n log n + n
-/// k) for at most k edges at one place of the sweep.
+/// and which of the edges and points `others` are inside. Edges meet only at their ends. O(n log n
+/// + n k) for at most k edges at one place of the sweep.
 pub(super) fn sides(rim: &[[[f64; 2]; 2]], others: &[[[f64; 2]; 2]]) -> AllocResult<Sides> {
     let (mut lefts, mut insides) = (filled(rim.len(), false)?, filled(others.len(), false)?);
     let mut sorted = collected(rim.iter().chain(others).enumerate().map(|(number, &[a, b])| {

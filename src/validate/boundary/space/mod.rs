@@ -7,9 +7,9 @@
 //!   there are no others; `groups`: which triangles of a surface are one facet; `tiling`: the
 //!   subfacets of a facet tile it in the projection along an axis; `plane`: their vertices are as
 //!   near to its plane as rounding lets them be; `frame`: the boundary of a hull or box.
-//! - Level 3: what regions have in common with the plane's, with the volumes of labels; `frame`: the
-//!   volume of a hull, by [`hull`], or box; `flat`: the simplices within facets; `forced`: those that
-//!   small angles excuse.
+//! - Level 3: what regions have in common with the plane's, with the volumes of labels; `frame`:
+//!   the volume of a hull, by [`hull`], or box; `flat`: the simplices within facets; `forced`:
+//!   those that small angles excuse.
 
 mod arrays;
 mod directions;

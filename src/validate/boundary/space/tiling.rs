@@ -1,6 +1,6 @@
 //! Level 2: the subfacets of a facet tile it. In the exact projection along an axis all of them
-//! turn to the left; each edge is in two of them, which run through it in opposite directions, or on the
-//! rim of the facet; and there the facet is on the left, as its loops say. So the number of
+//! turn to the left; each edge is in two of them, which run through it in opposite directions, or
+//! on the rim of the facet; and there the facet is on the left, as its loops say. So the number of
 //! subfacets over a point, which is the winding number of the rim about it, is 1 inside and 0
 //! outside. The sum of their areas is that of the polygon, but for roundings of vertices on its
 //! edges.

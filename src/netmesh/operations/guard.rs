@@ -68,6 +68,20 @@ impl State<3> {
         Ok(true)
     }
 
+    /// Returns true if a vertex in a subfacet crosses what the guard keeps of other facets, among the
+    /// subfacets near it: those would have to be split for it.
+    pub(super) fn crosses_protected(&mut self, subfacet: u32, guard: Guard) -> AllocResult<bool> {
+        let own = self.facets.get(subfacet).facet;
+        for at in 0..self.facets.near.subfacets.len() {
+            let (other, is_crossed) = self.facets.near.subfacets[at];
+            let is_other = self.facets.get(other).facet != own;
+            if is_crossed && is_other && !self.guard_admits_subfacet(other, guard)? {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
     /// Keeps those of the encroached subsegments and subfacets that the guard lets a simplex split, and
     /// returns the guard.
     pub(super) fn keep_large(&mut self, simplex: SimplexId) -> AllocResult<Guard> {

@@ -83,6 +83,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let Some(start) = state.delaunay.locate(start, x) else { return Ok(false) };
         state.delaunay.find_cavity(start, x, cavity)?;
         state.find_encroached_in_space(x, cavity)?;
+        if state.crosses_protected(subfacet, guard)? {
+            return Ok(false);
+        }
         let mut encroached = std::mem::take(&mut state.facets.near.subsegments);
         let (mut is_any, mut is_guarded) = (false, false);
         for &(subsegment, _) in &encroached {
@@ -91,7 +94,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 false => is_guarded = true,
             }
         }
-        let has_searched = !encroached.is_empty();
+        let has_searched = !encroached.is_empty() || !matches!(guard, Guard::Open);
         encroached.clear();
         self.state.facets.near.subsegments = encroached;
         if is_any || is_guarded {
@@ -99,7 +102,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         let place: [f64; D] = std::array::from_fn(|axis| x[axis]);
         if has_searched {
-            // The splits that failed have changed nothing, but have searched cavities of their own.
+            // The splits that failed have changed nothing, but have searched cavities of their own,
+            // and the guard for local feature sizes.
             self.state.delaunay.find_cavity(start, &place, cavity)?;
         }
         let domain = self.enter_from_segment(&place, cavity)?;

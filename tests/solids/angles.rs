@@ -1,6 +1,7 @@
 //! Small angles of the input, and features that are near each other.
 
 use super::{Solid, bounded, cuboid, volume};
+use netmesh::{Extent, Options};
 
 /// Returns the prism over a triangle with the given angle, in degrees.
 fn wedge(degrees: f64) -> Solid {
@@ -101,4 +102,27 @@ fn nested_boxes_conform_at_any_ratio() {
         counts.push(mesh.vertex_count());
     }
     assert_eq!(counts, [16; 3]);
+}
+
+/// Two tetrahedra that meet at a vertex alone, with sides 4.6 degrees from each other there: what
+/// each of these needs to be in the mesh asks the other for more, ever nearer to the vertex.
+#[test]
+fn sides_that_meet_at_a_vertex_alone_are_not_split_down_to_it() {
+    let points = vec![
+        [0.0, 0.0, 0.0],
+        [1.0, -0.6, 0.0],
+        [1.0, 0.6, 0.0],
+        [1.0, 0.0, -0.5],
+        [1.1073302252951198, -0.3569534691598735, 0.08002495237480871],
+        [0.8337571970528939, 0.8114462048465763, 0.08002495237480871],
+        [0.9315849077293784, 0.2181244226116362, 0.578421382688422],
+    ];
+    let tetrahedron = [[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]];
+    let at = |vertex: u32, first: u32| if vertex == 0 { 0 } else { vertex + first };
+    let polygons = [0, 3]
+        .iter()
+        .flat_map(|&first| tetrahedron.map(|side| side.map(|vertex| at(vertex, first)).to_vec()));
+    let solid = Solid { points, polygons: polygons.collect(), regions: Vec::new() };
+    let mesh = solid.run(&Options { extent: Extent::Box, ..bounded(2.0) });
+    assert!(mesh.vertex_count() < 1000, "{}", mesh.vertex_count());
 }

@@ -93,22 +93,8 @@ impl State<3> {
             false => Guard::Usual { least },
         };
         let mut near = std::mem::take(&mut self.facets.near);
-        let mut kept = 0;
-        for at in 0..near.subsegments.len() {
-            if self.guard_admits(near.subsegments[at].0, guard)? {
-                near.subsegments[kept] = near.subsegments[at];
-                kept += 1;
-            }
-        }
-        near.subsegments.truncate(kept);
-        let mut kept = 0;
-        for at in 0..near.subfacets.len() {
-            if self.guard_admits_subfacet(near.subfacets[at].0, guard)? {
-                near.subfacets[kept] = near.subfacets[at];
-                kept += 1;
-            }
-        }
-        near.subfacets.truncate(kept);
+        keep(&mut near.subsegments, |own| self.guard_admits(own, guard))?;
+        keep(&mut near.subfacets, |own| self.guard_admits_subfacet(own, guard))?;
         self.facets.near = near;
         Ok(guard)
     }
@@ -147,4 +133,20 @@ impl State<3> {
         }
         Ok(floors)
     }
+}
+
+/// Keeps those of some parts of the boundary that are admitted.
+fn keep(
+    parts: &mut Vec<(u32, bool)>,
+    mut admits: impl FnMut(u32) -> AllocResult<bool>,
+) -> AllocResult<()> {
+    let mut kept = 0;
+    for at in 0..parts.len() {
+        if admits(parts[at].0)? {
+            parts[kept] = parts[at];
+            kept += 1;
+        }
+    }
+    parts.truncate(kept);
+    Ok(())
 }

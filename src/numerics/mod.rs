@@ -48,7 +48,9 @@ pub(crate) use exact::{Lines, compare_crossings, compare_to_crossing, crossing};
 pub use exact::{ScaledCenter, circumcenter_exact, in_ball_exact, orientation_exact};
 pub use filters::{Circumball, in_ball, orientation, orientation_filtered};
 pub(crate) use filters::{F64x2, Hyperplane, Real};
-pub use lengths::{distance, distance_to_edge, distance_to_triangle, norm, shortest_distance};
+pub use lengths::{
+    cross, distance, distance_to_edge, distance_to_triangle, dot, norm, shortest_distance,
+};
 pub(crate) use power::scale_by_power;
 pub use random::{SplitMix, mixed};
 pub use segment::{in_diametral_ball, offset_from_line, point_at_level, point_between};

@@ -71,6 +71,9 @@ impl State<3> {
     /// Returns true if a vertex in a subfacet crosses what the guard keeps of other facets, among the
     /// subfacets near it: those would have to be split for it.
     pub(super) fn crosses_protected(&mut self, subfacet: u32, guard: Guard) -> AllocResult<bool> {
+        if matches!(guard, Guard::Open) {
+            return Ok(false);
+        }
         let own = self.facets.get(subfacet).facet;
         for at in 0..self.facets.near.subfacets.len() {
             let (other, is_crossed) = self.facets.near.subfacets[at];

@@ -9,7 +9,7 @@ use crate::netmesh::state::State;
 use crate::netmesh::state::facets::Subfacet;
 use crate::netmesh::state::facets::faces::FACES;
 use crate::netmesh::state::facets::plane::Plane;
-use crate::numerics::{Sign, distance};
+use crate::numerics::{Sign, cross, distance, dot};
 
 /// Point of a sheet.
 pub(in crate::netmesh) enum OnSheet {
@@ -26,17 +26,6 @@ fn scaled_ways<const N: usize>(from: &[f64; 3], to: [&[f64; 3]; N]) -> ([[f64; 3
     let largest = ways.iter().flatten().fold(0.0f64, |most, way| most.max(way.abs()));
     let unit = if largest > 0.0 { largest } else { 1.0 };
     (ways.map(|way| way.map(|k| k / unit)), unit)
-}
-
-fn dot(u: &[f64; 3], v: &[f64; 3]) -> f64 {
-    u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
-}
-
-fn cross(u: &[f64; 3], v: &[f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|k| {
-        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-        u[i] * v[j] - u[j] * v[i]
-    })
 }
 
 /// Returns the centre of the circle through three points, and its radius; infinite where they are

@@ -8,11 +8,13 @@ fn minus(a: &Point, b: &Point) -> Point {
     std::array::from_fn(|k| a[k] - b[k])
 }
 
-fn dot(u: &Point, v: &Point) -> f64 {
-    (0..3).map(|k| u[k] * v[k]).sum()
+/// Returns the scalar product of two vectors.
+pub fn dot(u: &Point, v: &Point) -> f64 {
+    u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
 }
 
-fn cross(u: &Point, v: &Point) -> Point {
+/// Returns the vector product of two vectors.
+pub fn cross(u: &Point, v: &Point) -> Point {
     std::array::from_fn(|k| {
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
         u[i] * v[j] - u[j] * v[i]

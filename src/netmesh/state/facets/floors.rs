@@ -16,7 +16,7 @@ pub(in crate::netmesh) enum Guard {
     Open,
     /// None smaller than this.
     Usual { least: f64 },
-    /// None smaller than this and than the floor of its facet or line.
+    /// None smaller than both this and the floor of its facet or line.
     Low { least: f64 },
 }
 

@@ -172,16 +172,7 @@ pub fn with_segments(options: &Options) -> Result<Options> {
 /// `InvalidArgument`, naming the option, its value and the rule.
 pub fn in_space(options: &Options) -> Result<Parameters> {
     let options = with_segments(options)?;
-    let Options { min_dihedral, quality_bound, extent, .. } = options;
-    if min_dihedral != 0.0 {
-        let (name, must) = (Name::MinDihedral, "it must be 0 with");
-        return refuse(match extent {
-            Extent::Hull | Extent::Box => {
-                say!(name, " is {min_dihedral}; {must} ", Choice::Extent(extent))
-            }
-            _ => say!(name, " is {min_dihedral}; {must} facets"),
-        });
-    }
+    let quality_bound = options.quality_bound;
     if quality_bound != f64::INFINITY {
         return Parameters::resolve(3, &options);
     }

@@ -4,8 +4,9 @@ use super::angles::{angle, smallest_squared_tangent};
 use super::view::View;
 use crate::memory::AllocResult;
 
-/// Calls `visit` for every simplex with a dihedral angle below `degrees`: its id, the angle in
-/// degrees and whether all its vertices are in one domain. Ids must be in range. O(simplices).
+/// Calls `visit` for every simplex with a dihedral angle below `degrees` that is not flat in a
+/// facet: its id, the angle in degrees and whether all its vertices are in one domain. Ids must be
+/// in range. O(simplices).
 pub(crate) fn survey<const D: usize>(
     view: View<'_, D>,
     degrees: f64,
@@ -19,7 +20,8 @@ pub(crate) fn survey<const D: usize>(
         let points = view.points_of(vertices);
         let tangent = smallest_squared_tangent(&points[..View::<D>::VERTICES])?;
         let smallest = angle(tangent).to_degrees();
-        if smallest < degrees {
+        let is_flat = || view.mesh.boundary.flat.binary_search(&(simplex as u32)).is_ok();
+        if smallest < degrees && !is_flat() {
             let domain = |vertex: u32| view.mesh.vertex_domains[vertex as usize];
             let is_of_one = vertices.iter().all(|&vertex| domain(vertex) == domain(vertices[0]));
             visit(simplex, smallest, is_of_one);

@@ -417,8 +417,6 @@ fn what_does_not_go_with_an_extent_is_refused_by_name() {
     for extent in BOTH {
         let plain = within(extent, 0.0);
         let name = format!("options.extent = Extent::{extent:?}");
-        let (_, dihedral) = refusal(&points, &Options { min_dihedral: 5.0, ..plain.clone() });
-        assert_eq!(dihedral, format!("options.min_dihedral is 5; it must be 0 with {name}"));
         let (_, ratio) = refusal(&points, &Options { distance_ratio: 0.5, ..plain.clone() });
         assert_eq!(ratio, format!("options.distance_ratio is 0.5; it must be 0 with {name}"));
         let aspect = Options { extent, quality_bound: 5.0, ..Options::default() };

@@ -13,8 +13,6 @@ fn refusal(options: &Options) -> String {
 #[test]
 fn what_does_not_go_with_facets_is_refused_by_name() {
     let plain = Options::default();
-    let dihedral = refusal(&Options { min_dihedral: 5.0, ..plain.clone() });
-    assert_eq!(dihedral, "options.min_dihedral is 5; it must be 0 with facets");
     let distance = refusal(&Options { distance_ratio: 0.5, ..plain.clone() });
     assert!(distance.starts_with("options.distance_ratio is 0.5; it must be 0"), "{distance}");
     for extent in [Extent::All, Extent::Box, Extent::Hull] {
@@ -23,15 +21,14 @@ fn what_does_not_go_with_facets_is_refused_by_name() {
     }
 }
 
-/// Slivers would be mended by moving vertices, also those on segments.
 #[test]
 fn segments_in_space_refuse_what_facets_do() {
     let points = cuboid([0.0; 3], [1.0; 3]).points;
     let mut mesh = netmesh::Mesh::new(3, points.len(), points.as_flattened(), 0).unwrap();
     mesh.set_segments(&[0, 7], None).unwrap();
-    let options = Options { min_dihedral: 5.0, ..Options::default() };
+    let options = Options { distance_ratio: 0.5, ..Options::default() };
     let error = mesh.run(&options, None).unwrap_err();
-    assert_eq!(error.message(), "options.min_dihedral is 5; it must be 0 with facets");
+    assert_eq!(error.message(), "options.distance_ratio is 0.5; it must be 0 with segments");
     mesh.run(&Options::default(), None).unwrap();
     super::assert_holds(&mesh);
 }

@@ -46,9 +46,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         )?;
         self.state.refine_list.forget(created, self.state.delaunay.complex().simplex_bound())?;
         self.state.interface.forget(created);
-        let bound = self.state.delaunay.complex().simplex_bound();
-        self.state.segments.regions.note_created(created, bound)?;
-        self.state.facets.forget(created);
+        self.state.note_created(created)?;
         if self.state.parameters.algorithm != Algorithm::Delaunay {
             self.update_star(vertex, cavity)?;
             if self.state.parameters.instruments {

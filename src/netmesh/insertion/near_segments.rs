@@ -39,8 +39,19 @@ impl<const D: usize> State<D> {
 
     /// Notes that a vertex goes in with `cavity`, and encroaches no subsegment: the new simplices
     /// will be in the regions of those that they replace.
-    pub(super) fn note_insertion_off_segments(&mut self, cavity: &Cavity) -> AllocResult<()> {
+    pub(in crate::netmesh) fn note_insertion_off_segments(
+        &mut self,
+        cavity: &Cavity,
+    ) -> AllocResult<()> {
         self.segments.regions.note_insertion(cavity, false)
+    }
+
+    /// Notes which simplices an insertion has made.
+    pub(in crate::netmesh) fn note_created(&mut self, created: &[SimplexId]) -> AllocResult<()> {
+        let bound = self.delaunay.complex().simplex_bound();
+        self.segments.regions.note_created(created, bound)?;
+        self.facets.forget(created);
+        Ok(())
     }
 
     /// Queues the subsegments that `vertex`, which goes in with `cavity`, encroaches. Regions stay

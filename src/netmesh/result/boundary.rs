@@ -188,6 +188,7 @@ pub(super) fn crop(whole: Triangulation, numbering: &Numbering) -> AllocResult<T
 fn part(whole: &Triangulation, simplices: usize, vertices: usize) -> AllocResult<Triangulation> {
     let per_simplex = whole.dim + 1;
     let is_inside = |&simplex: &u32| (simplex as usize) < simplices;
+    let inside_of = |all: &[u32]| collected(all.iter().copied().filter(is_inside));
     let neighbors = whole.neighbors[..simplices * per_simplex].iter();
     let all = &whole.boundary;
     // A subsegment of which neither side is inside is no edge of the domain.
@@ -205,7 +206,7 @@ fn part(whole: &Triangulation, simplices: usize, vertices: usize) -> AllocResult
         subfacet_simplices: collected(
             kept_facets().map(|at| all.subfacet_simplices[at].map(number)),
         )?,
-        flat: collected(all.flat.iter().copied().filter(is_inside))?,
+        flat: inside_of(&all.flat)?,
         simplex_regions: copied(&all.simplex_regions[..simplices])?,
         forced: copied(&all.forced)?,
         whole: None,
@@ -220,8 +221,9 @@ fn part(whole: &Triangulation, simplices: usize, vertices: usize) -> AllocResult
         cage_of: copied(&whole.cage_of[..vertices])?,
         domains: copied(&whole.domains)?,
         precision_limited: copied(&whole.precision_limited[..vertices])?,
-        below_min_dihedral: Vec::new(),
-        beyond_bound: Vec::new(),
+        below_min_dihedral: inside_of(&whole.below_min_dihedral)?,
+        // Of a domain only radius-edge ratios have a bound, and so these are simplices.
+        beyond_bound: inside_of(&whole.beyond_bound)?,
         boundary,
         sizes: copied(&whole.sizes[..vertices.min(whole.sizes.len())])?,
         parameters: whole.parameters.clone(),

@@ -8,12 +8,13 @@ use crate::options::Algorithm;
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Returns the tetrahedra below the angle that was asked for, given the arrays of the result;
-    /// those with vertices of several domains are left out.
+    /// those with vertices of several domains and `flat` ones are left out.
     pub(super) fn slivers_left(
         &mut self,
         points: &[f64],
         simplices: &[u32],
         domains: &[u32],
+        flat: &[u32],
     ) -> Result<Vec<u32>> {
         let mut left = Vec::new();
         let degrees = self.state.parameters.min_dihedral;
@@ -31,7 +32,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 let point: &[f64; D] = points[at..at + D].try_into().expect("D coordinates");
                 in_space(point)
             });
-            if is_of_one && measure.penalty(&tetrahedron) > 0.0 {
+            let is_flat = flat.binary_search(&simplex).is_ok();
+            if is_of_one && !is_flat && measure.penalty(&tetrahedron) > 0.0 {
                 left.try_push(simplex)?;
             }
         }

@@ -44,7 +44,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let Vertices { points, kinds, domains: vertex_domains, cage_of, limited } =
             self.vertices(&numbering.order, &precision_limited, &indices)?;
         self.count_vertices(&kinds, &limited);
-        let below_min_dihedral = self.slivers_left(&points, &simplices, &vertex_domains)?;
+        let below_min_dihedral =
+            self.slivers_left(&points, &simplices, &vertex_domains, &boundary.flat)?;
         let mut beyond_bound = self.simplices_beyond_bound(&points, &simplices, &vertex_domains)?;
         for vertex in cells_beyond {
             beyond_bound.try_push(numbering.vertices[vertex])?;

@@ -1,7 +1,7 @@
 //! The bound of the Voronoi aspect in cells that a change would make.
 
 use crate::complex::VertexId;
-use crate::netmesh::slivers::cone::{Cone, ConeSimplex};
+use crate::netmesh::slivers::cone::Cone;
 use crate::netmesh::slivers::view::View;
 use crate::netmesh::state::Cell;
 use crate::numerics::{Circumball, distance};
@@ -36,13 +36,5 @@ impl Cone {
                     radius <= half_aspect * nearest || view.hierarchy.cage_of(vertex).is_valid()
                 })
         })
-    }
-}
-
-impl ConeSimplex {
-    /// Returns the vertices of the facet.
-    fn base(&self) -> impl Iterator<Item = VertexId> {
-        let apex = self.apex;
-        self.vertices.into_iter().enumerate().filter(move |&(at, _)| at != apex).map(|(_, v)| v)
     }
 }

@@ -1,6 +1,7 @@
 //! The three changes of a mesh: a point goes in, a vertex moves, a vertex goes.
 
 use crate::complex::{SimplexId, VertexId};
+use crate::delaunay::Hole;
 use crate::error::Result;
 use crate::memory::TryGrow;
 use crate::mesh::Stats;
@@ -8,7 +9,7 @@ use crate::netmesh::slivers::log::Step;
 use crate::netmesh::slivers::vacancy::{Target, may_leave};
 use crate::netmesh::slivers::view::View;
 use crate::netmesh::slivers::work::Slivers;
-use crate::netmesh::state::{Cell, Mesher};
+use crate::netmesh::state::{Cell, Mesher, State};
 
 impl Mesher<'_, '_, 3> {
     /// Inserts a point into the D-ball of `start`.
@@ -34,7 +35,7 @@ impl Mesher<'_, '_, 3> {
             log.steps.try_push(Step::Inserted(vertex))?;
         }
         self.state.hierarchy.set_domain(vertex, domain);
-        self.state.delaunay.insert(vertex, &slivers.cavity, &mut self.scratch.created)?;
+        self.fill_cavity(vertex, slivers)?;
         self.weigh_cone(slivers)?;
         self.state.note_arrival(vertex, &slivers.cavity.vertices.ids);
         self.ask_size_again(vertex)?;
@@ -53,10 +54,10 @@ impl Mesher<'_, '_, 3> {
             log.steps.try_push(Step::Moved(vertex, from))?;
         }
         let mut filled = std::mem::take(&mut slivers.filled);
-        self.state.delaunay.remove(vertex, &slivers.vacancy.hole, &mut filled)?;
+        self.state.fill_hole(vertex, &slivers.vacancy.hole, &mut filled)?;
         self.state.delaunay.set_point(vertex, place.x);
         self.state.delaunay.find_cavity(filled[place.near], &place.x, &mut slivers.cavity)?;
-        self.state.delaunay.insert(vertex, &slivers.cavity, &mut self.scratch.created)?;
+        self.fill_cavity(vertex, slivers)?;
         self.state.cells[vertex] = Cell::NEW;
         self.state.weigh(&filled, slivers)?;
         self.weigh_cone(slivers)?;
@@ -64,6 +65,15 @@ impl Mesher<'_, '_, 3> {
         self.note_departure(&from, &slivers.vacancy.hole.vertices.ids)?;
         self.state.note_arrival(vertex, &slivers.cavity.vertices.ids);
         self.ask_size_again(vertex)
+    }
+
+    /// Inserts a vertex into `slivers.cavity`, which crosses no facet: what it makes is in the region
+    /// of what was there.
+    pub(super) fn fill_cavity(&mut self, vertex: VertexId, slivers: &Slivers) -> Result<()> {
+        let created = &mut self.scratch.created;
+        self.state.note_insertion_off_segments(&slivers.cavity)?;
+        self.state.delaunay.insert(vertex, &slivers.cavity, created)?;
+        Ok(self.state.note_created(created)?)
     }
 
     /// Finds the mesh without `vertex`; false if the vertex must stay.
@@ -91,11 +101,29 @@ impl Mesher<'_, '_, 3> {
             None => slivers.free.try_push(vertex)?,
         }
         let mut filled = std::mem::take(&mut slivers.filled);
-        self.state.delaunay.remove(vertex, &slivers.vacancy.hole, &mut filled)?;
+        self.state.fill_hole(vertex, &slivers.vacancy.hole, &mut filled)?;
         discount_point(&mut self.state.stats);
         self.state.weigh(&filled, slivers)?;
         slivers.filled = filled;
         Ok(self.note_departure(&x, &slivers.vacancy.hole.vertices.ids)?)
+    }
+}
+
+impl State<3> {
+    /// Removes a vertex that is on no facet: the simplices that fill its hole are in the region of
+    /// those that were there.
+    fn fill_hole(
+        &mut self,
+        vertex: VertexId,
+        hole: &Hole<3>,
+        filled: &mut Vec<SimplexId>,
+    ) -> Result<()> {
+        self.segments.regions.note_removal(&hole.star);
+        self.delaunay.remove(vertex, hole, filled)?;
+        let bound = self.delaunay.complex().simplex_bound();
+        self.segments.regions.note_filled(filled, bound)?;
+        self.facets.forget(filled);
+        Ok(())
     }
 }
 

@@ -13,6 +13,14 @@ pub(super) struct ConeSimplex {
     pub apex: usize,
 }
 
+impl ConeSimplex {
+    /// Returns the vertices of the facet.
+    pub fn base(&self) -> impl Iterator<Item = VertexId> {
+        let apex = self.apex;
+        self.vertices.into_iter().enumerate().filter(move |&(at, _)| at != apex).map(|(_, v)| v)
+    }
+}
+
 #[derive(Default)]
 pub(super) struct Cone {
     pub sides: Vec<ConeSimplex>,
@@ -39,12 +47,19 @@ impl Cone {
         if is_worth { account.rest() } else { None }
     }
 
+    /// Returns true if one of the facets has all of `vertices`.
+    pub fn has(&self, vertices: &[VertexId]) -> bool {
+        let holds = |side: &ConeSimplex| vertices.iter().all(|&v| side.base().any(|own| own == v));
+        self.sides.iter().any(holds)
+    }
+
     /// Returns true if the simplices that a vertex at `x` would make are as small as the caller
-    /// asks for. This asks the caller, so it comes after all other tests.
-    pub fn keeps_sizes(&self, view: View<'_>, x: &[f64; 3]) -> Result<bool> {
+    /// asks for, and their edges no longer than `max_edge`. This asks the caller, so it comes
+    /// after all other tests.
+    pub fn keeps_sizes(&self, view: View<'_>, x: &[f64; 3], max_edge: f64) -> Result<bool> {
         let Some(sizes) = view.sizes else { return Ok(true) };
         for side in &self.sides {
-            if !sizes.allow(view.delaunay, &side.vertices, side.apex, x)? {
+            if !sizes.allow(view.delaunay, &side.vertices, side.apex, x, max_edge)? {
                 return Ok(false);
             }
         }

@@ -98,7 +98,9 @@ impl Mesher<'_, '_, 3> {
         }
         cone_over(view, cavity, cone)?;
         let Some(gain) = cone.judge(view, x, before, least) else { return Ok(None) };
-        let is_kept = cone.keeps_cells(view, x) && cone.keeps_sizes(view, x)?;
+        let is_kept = view.keeps_boundary(&cavity.simplices, cone)
+            && cone.keeps_cells(view, x)
+            && cone.keeps_sizes(view, x, view.max_edge_at(cavity.simplices[0]))?;
         Ok(is_kept.then_some((gain, gain >= before)))
     }
 }

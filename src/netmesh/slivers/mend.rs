@@ -105,7 +105,7 @@ impl Mesher<'_, '_, 3> {
         }
         for simplex in self.state.delaunay.complex().simplices() {
             self.watch.poll_after(1)?;
-            let penalty = self.state.penalty(simplex, &slivers.measure);
+            let penalty = self.state.penalty(simplex, &slivers.measure)?;
             slivers.penalties.try_push(penalty)?;
             if penalty > 0.0 {
                 slivers.queue.push(self.state.sliver(simplex, penalty))?;
@@ -141,14 +141,16 @@ impl Mesher<'_, '_, 3> {
         Ok(())
     }
 
-    /// Takes every sliver that was left, with `effort`. Returns whether any was mended.
+    /// Takes every sliver that was left, with `effort`. Returns whether any was mended. Where a small
+    /// angle of the input forces one, only the least effort is worth it.
     fn mend_failed(&mut self, effort: u32, slivers: &mut Slivers) -> Result<bool> {
         let mut any = false;
         for sliver in slivers.queue.take_failed() {
             if self.state.is_exhausted(slivers) {
                 return Ok(false);
             }
-            if !self.state.is_current(&sliver, &slivers.penalties) {
+            let is_current = self.state.is_current(&sliver, &slivers.penalties);
+            if !is_current || effort > 0 && self.state.is_left_alone(sliver.simplex)? {
                 continue;
             }
             if self.mend(&sliver, effort, slivers)? {

@@ -7,7 +7,8 @@
 //!   move mends, the best first; `log`: changes that may be undone.
 //! - `view`: the parts of a mesh by which a change is judged before it is made. `cone` has the
 //!   tetrahedra that a point would make over its cavity, `vacancy` the mesh without a vertex that
-//!   may move, `cells` the bound of the Voronoi aspect.
+//!   may move, `cells` the bound of the Voronoi aspect, `boundary` what conforms to facets and
+//!   segments.
 //! - `work`: all that the work needs beside the mesh; `weigh`: new tetrahedra are measured and
 //!   queued.
 //! - `changes`: a point goes in, a vertex moves, or a vertex goes; `undo` takes changes back;
@@ -23,6 +24,7 @@
 //! way where all else fails. Simplices with vertices of several domains are let alone. A sliver
 //! that no effort mends stays.
 
+pub(super) mod boundary;
 pub(super) mod candidates;
 pub(super) mod cells;
 pub(super) mod changes;

@@ -84,7 +84,7 @@ impl Mesher<'_, '_, 3> {
         let start = self.state.delaunay.complex().incident(near);
         let Some(start) = self.state.delaunay.locate(start, &x) else { return Ok(false) };
         self.state.delaunay.find_cavity(start, &x, &mut slivers.cavity)?;
-        self.state.delaunay.insert(vertex, &slivers.cavity, &mut self.scratch.created)?;
+        self.fill_cavity(vertex, slivers)?;
         self.state.cells[vertex] = Cell::NEW;
         self.state.stats.off_centers += 1;
         self.weigh_cone(slivers)?;

@@ -179,12 +179,13 @@ impl Vacancy {
             account.charge(tetrahedron)
         });
         let Some(gain) = account.rest().filter(|_| is_worth) else { return Ok(None) };
-        if view.measure.half_aspect.is_some() || view.sizes.is_some() {
+        if view.measure.half_aspect.is_some() || view.sizes.is_some() || view.has_boundary {
             self.find_cone(view)?;
-            let is_kept = self.keeps_filling_cells(view, Some(x))
+            let is_kept = view.keeps_boundary(&self.outside, &self.cone)
+                && self.keeps_filling_cells(view, Some(x))
                 && self.cone.keeps_cells(view, x)
                 && self.keeps_filling_sizes(view)?
-                && self.cone.keeps_sizes(view, x)?;
+                && self.cone.keeps_sizes(view, x, self.max_edge(view))?;
             if !is_kept {
                 return Ok(None);
             }
@@ -307,11 +308,16 @@ impl Vacancy {
         for number in self.staying() {
             let vertices = self.hole.filling.vertices(number);
             let x = view.delaunay.point(vertices[0]);
-            if !sizes.allow(view.delaunay, vertices, 0, x)? {
+            if !sizes.allow(view.delaunay, vertices, 0, x, self.max_edge(view))? {
                 return Ok(false);
             }
         }
         Ok(true)
+    }
+
+    /// Returns the longest edge that simplices in the hole may have.
+    fn max_edge(&self, view: View<'_>) -> f64 {
+        view.max_edge_at(self.hole.star[0])
     }
 
     /// Returns the simplices of the filling whose balls do not hold the place that is judged.

@@ -1,16 +1,20 @@
 //! Simplices that were made are measured, and the slivers among them queued.
 
 use crate::complex::{SimplexId, VertexId};
-use crate::memory::{AllocResult, TryGrow};
+use crate::error::Result;
+use crate::memory::TryGrow;
 use crate::netmesh::slivers::queue::Sliver;
 use crate::netmesh::slivers::shape::{Measure, tetrahedron};
 use crate::netmesh::slivers::work::Slivers;
 use crate::netmesh::state::{Mesher, State};
 
 impl State<3> {
-    /// Returns true if `vertex` is no input and in no cage. Its star may still keep it from moving.
+    /// Returns true if `vertex` is no input, in no cage, and on no segment or facet. Its star may
+    /// still keep it from moving.
     pub(super) fn may_move(&self, vertex: VertexId) -> bool {
-        !self.is_input(vertex) && !self.hierarchy.cage_of(vertex).is_valid()
+        !self.is_input(vertex)
+            && !self.hierarchy.cage_of(vertex).is_valid()
+            && !self.is_on_boundary(vertex)
     }
 
     /// Measures simplices that were made, and queues those that are slivers. Some may be dead
@@ -19,14 +23,14 @@ impl State<3> {
         &mut self,
         created: &[SimplexId],
         slivers: &mut Slivers,
-    ) -> AllocResult<()> {
+    ) -> Result<()> {
         let bound = self.delaunay.complex().simplex_bound();
         slivers.penalties.cover(bound, 0.0)?;
         slivers.changed.cover(self.delaunay.point_count(), 0)?;
         self.refine_list.forget(created, bound)?;
         let now = self.now();
         for &simplex in created {
-            let penalty = self.penalty(simplex, &slivers.measure);
+            let penalty = self.penalty(simplex, &slivers.measure)?;
             slivers.penalties[simplex] = penalty;
             self.note_corner(simplex);
             for &vertex in self.delaunay.complex().vertices(simplex) {
@@ -50,16 +54,22 @@ impl State<3> {
         self.delaunay.simplices_created()
     }
 
-    pub(in crate::netmesh) fn penalty(&self, simplex: SimplexId, measure: &Measure) -> f32 {
+    /// Returns what a simplex adds to the objective: nothing outside of the domain.
+    pub(in crate::netmesh) fn penalty(
+        &mut self,
+        simplex: SimplexId,
+        measure: &Measure,
+    ) -> Result<f32> {
         let complex = self.delaunay.complex();
         let vertices = complex.vertices(simplex);
         let is_judged = complex.is_live(simplex)
             && !complex.is_infinite(simplex)
             && self.hierarchy.same_domain(vertices);
-        match is_judged {
+        let penalty = match is_judged {
             true => measure.penalty(&tetrahedron(&self.delaunay, vertices)) as f32,
             false => 0.0,
-        }
+        };
+        Ok(if penalty > 0.0 && self.is_outside(simplex)? { 0.0 } else { penalty })
     }
 
     pub(super) fn sliver(&self, simplex: SimplexId, penalty: f32) -> Sliver {
@@ -82,7 +92,7 @@ impl State<3> {
 
 impl Mesher<'_, '_, 3> {
     /// Measures the simplices of a vertex that went in, and queues the slivers among them.
-    pub(super) fn weigh_cone(&mut self, slivers: &mut Slivers) -> AllocResult<()> {
+    pub(super) fn weigh_cone(&mut self, slivers: &mut Slivers) -> Result<()> {
         let created = std::mem::take(&mut self.scratch.created);
         let weighed = self.state.weigh(&created, slivers);
         self.scratch.created = created;

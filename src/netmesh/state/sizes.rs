@@ -99,7 +99,7 @@ impl<'a, const D: usize> Sizes<'a, D> {
     }
 
     /// Returns true if a simplex may be made that has these vertices, with the vertex number `apex`
-    /// at `x`.
+    /// at `x`. `max_edge`: the longest edge that its region may have.
     ///
     /// # Errors
     /// `InvalidArgument` if the function answers no size.
@@ -109,6 +109,7 @@ impl<'a, const D: usize> Sizes<'a, D> {
         vertices: &[VertexId],
         apex: usize,
         x: &[f64; D],
+        max_edge: f64,
     ) -> Result<bool> {
         let mut points = [x; MAX_DIM + 1];
         for (at, &vertex) in vertices.iter().enumerate().filter(|&(at, _)| at != apex) {
@@ -128,7 +129,8 @@ impl<'a, const D: usize> Sizes<'a, D> {
             };
             size = size.min(answer?);
         }
-        Ok(excess_of(points, Circumball::new(points).radius(), size, self.max_edge) <= 1.0)
+        let max_edge = max_edge.min(self.max_edge);
+        Ok(excess_of(points, Circumball::new(points).radius(), size, max_edge) <= 1.0)
     }
 
     /// Returns true if the box of a simplex meets that of the inputs.

@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 seconds="${1:-1800}"
 shift || true
 targets=("$@")
-[ "${#targets[@]}" -gt 0 ] || targets=(signs mesh slivers segments c_api readers poly features)
+[ "${#targets[@]}" -gt 0 ] || targets=(signs mesh slivers segments facets c_api readers poly features)
 
 # Only the C API has unsafe code for the sanitizer to look at; the others are twice as fast without.
 sanitizer() {

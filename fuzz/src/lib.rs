@@ -5,6 +5,7 @@
 
 pub mod bytes;
 pub mod c_api;
+pub mod facets;
 pub mod families;
 pub mod features;
 pub mod mesh;

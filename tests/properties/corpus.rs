@@ -1,7 +1,7 @@
 //! Every file in `fuzz/corpus`: seeds, and whatever once broke something, under the name of what it
 //! broke.
 
-use super::checks::{c_api, features, mesh, poly, readers, segments, signs};
+use super::checks::{c_api, facets, features, mesh, poly, readers, segments, signs};
 use std::panic::catch_unwind;
 use std::path::Path;
 
@@ -42,6 +42,11 @@ fn the_corpus_of_files() {
 #[test]
 fn the_corpus_of_segments() {
     replay("segments", segments::check);
+}
+
+#[test]
+fn the_corpus_of_facets() {
+    replay("facets", facets::check);
 }
 
 #[test]

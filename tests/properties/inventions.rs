@@ -1,7 +1,7 @@
 //! Inputs that proptest invents.
 
 use super::checks::readers::FORMATS;
-use super::checks::{c_api, features, mesh, poly, readers, segments, signs, slivers};
+use super::checks::{c_api, facets, features, mesh, poly, readers, segments, signs, slivers};
 use super::for_all;
 use netmesh::io::write;
 use netmesh::{Algorithm, Mesh, Options};
@@ -52,6 +52,11 @@ fn meshes_of_degenerate_points_without_slivers() {
 #[test]
 fn meshes_of_any_segments() {
     for_all(60, bytes(180), |data| segments::check(&data));
+}
+
+#[test]
+fn meshes_of_any_facets() {
+    for_all(60, bytes(120), |data| facets::check(&data));
 }
 
 #[test]

@@ -68,8 +68,9 @@ impl State<3> {
             }
         }
         let is_on = |vertex, facet| self.facets_of(vertex).any(|other| other == facet);
-        self.facets_of(u).filter(|&f| !is_on(v, f)).any(|f| {
-            let mut others = self.facets_of(v).filter(|&g| !is_on(u, g));
+        let may = |&facet: &u32| self.facets.meets_any(facet);
+        self.facets_of(u).filter(may).filter(|&f| !is_on(v, f)).any(|f| {
+            let mut others = self.facets_of(v).filter(may).filter(|&g| !is_on(u, g));
             others.any(|g| self.meet_at_small_angle(f, g, [u, v], small))
         })
     }

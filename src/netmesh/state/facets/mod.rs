@@ -38,6 +38,8 @@ pub(in crate::netmesh) struct Facets {
     /// Pairs of facets, the lower first, with the lines and vertices where they meet at small
     /// angles.
     meetings: Vec<(u32, u32, Meeting)>,
+    /// Facet -> true if it is in one of these pairs.
+    meets: Vec<bool>,
     /// Line -> true if facets or segments meet there at a small angle.
     is_sharp: Vec<bool>,
     /// Facet -> true if it has such a line.
@@ -226,6 +228,12 @@ impl Facets {
         &all[..all.iter().take_while(|&&(a, b, _)| (a, b) == pair).count()]
     }
 
+    /// Returns true if a facet meets any other at a small angle.
+    #[inline]
+    pub fn meets_any(&self, facet: u32) -> bool {
+        self.meets.get(facet as usize).copied().unwrap_or(false)
+    }
+
     /// Sets which lines are sharp, and where facets meet at small angles.
     pub fn set_sharp(
         &mut self,
@@ -248,6 +256,11 @@ impl Facets {
         self.sharp_ends = Some(Lists::of_pairs(self.facets.len(), sharp)?);
         meetings.sort_unstable();
         meetings.dedup();
+        self.meets = filled(self.facets.len(), false)?;
+        for &(f, g, _) in &meetings {
+            self.meets[f as usize] = true;
+            self.meets[g as usize] = true;
+        }
         (self.is_sharp, self.meetings) = (is_sharp, meetings);
         Ok(())
     }
@@ -339,10 +352,24 @@ impl Facets {
     /// Returns the subfacet with these vertices, if there is one.
     #[inline]
     pub fn face(&self, vertices: &[VertexId; 3]) -> Option<u32> {
-        match vertices.iter().all(|&vertex| self.holds(vertex)) {
+        match vertices.iter().all(|&vertex| self.holds(vertex)) && self.may_share(vertices) {
             true => self.faces.get(vertices),
             false => None,
         }
+    }
+
+    /// Returns true unless two of the vertices are between the lines of different facets.
+    #[inline]
+    fn may_share(&self, vertices: &[VertexId; 3]) -> bool {
+        let [a, b, c] = vertices.map(|vertex| self.inside_of(vertex));
+        let differ = |f: u32, g: u32| f != g && f != NONE && g != NONE;
+        !(differ(a, b) || differ(b, c) || differ(c, a))
+    }
+
+    /// Returns the facet that a vertex is in between lines, [`NONE`] for others.
+    #[inline]
+    fn inside_of(&self, vertex: VertexId) -> u32 {
+        self.inside.get(vertex.index()).copied().unwrap_or(NONE)
     }
 
     /// Returns a page of a subsegment, if it has any.

@@ -28,11 +28,16 @@ impl Mesher<'_, '_, 3> {
             lines.push(Line { ends, segment, is_sharp: [true; 2], balance });
         }
         self.state.segments.chains = Chains::new(lines, self.state.delaunay.point_count())?;
+        self.watch.poll()?;
         self.state.facets = self.sheets_of(arrangement, &vertices)?;
+        self.watch.poll()?;
         self.state.find_sharp_lines()?;
+        self.watch.poll()?;
         self.state.make_sheets_delaunay()?;
+        self.watch.poll()?;
         self.recover_boundary(cavity)?;
         self.state.find_regions()?;
+        self.watch.poll()?;
         self.judge_regions(&arrangement.regions)
     }
 

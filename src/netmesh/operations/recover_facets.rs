@@ -31,9 +31,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         if self.state.facets.is_empty() {
             return Ok(false);
         }
-        self.watch.poll_after(8)?;
+        let Some(subfacet) = self.next_missing()? else { return Ok(false) };
         let Some(state) = self.state.in_space() else { return Ok(false) };
-        let Some(subfacet) = state.next_missing()? else { return Ok(false) };
         let split = state.split_for(subfacet)?;
         let is_split = self.split_boundary(split, Guard::Open, cavity)?;
         if let Some(state) = self.state.in_space() {
@@ -44,6 +43,20 @@ impl<const D: usize> Mesher<'_, '_, D> {
             }
         }
         Ok(true)
+    }
+
+    /// Returns the next subfacet that is no face of the mesh, after the sheets have followed the
+    /// mesh where vertices are on one circle.
+    fn next_missing(&mut self) -> Result<Option<u32>> {
+        while let Some(subfacet) = self.state.facets.next() {
+            self.watch.poll_after(8)?;
+            let Some(state) = self.state.in_space() else { break };
+            let vertices = state.facets.get(subfacet).vertices;
+            if !state.has_face(&vertices)? && !state.follow(subfacet)? {
+                return Ok(Some(subfacet));
+            }
+        }
+        Ok(None)
     }
 
     /// Splits a part of the boundary; false where doubles have no room for a vertex on it, or where a
@@ -121,18 +134,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
 }
 
 impl State<3> {
-    /// Returns the next subfacet that is no face of the mesh, after the sheets have followed the
-    /// mesh where vertices are on one circle.
-    fn next_missing(&mut self) -> AllocResult<Option<u32>> {
-        while let Some(subfacet) = self.facets.next() {
-            let vertices = self.facets.get(subfacet).vertices;
-            if !self.has_face(&vertices)? && !self.follow(subfacet)? {
-                return Ok(Some(subfacet));
-            }
-        }
-        Ok(None)
-    }
-
     /// Flips an edge of a subfacet that is missing if the mesh has the other diagonal, and the four
     /// vertices are on one circle within roundings or the mesh has both triangles.
     fn follow(&mut self, subfacet: u32) -> AllocResult<bool> {

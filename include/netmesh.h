@@ -297,8 +297,8 @@ enum nm_format
  {
     /**
      * Format that the extension of the path names: .vtu, .node and .ele, .msh, .mesh, .off, .ply,
-     * .xyz (.txt, .xy, .pts), .csv, .npy, .poly, .smesh, .geojson, .wkt, .voronoi.json,
-     * .domains.json.
+     * .xyz (.txt, .xy, .pts), .csv, .npy, .poly, .smesh, .stl, .obj, .geojson, .wkt,
+     * .voronoi.json, .domains.json.
      */
     NM_FORMAT_AUTO = 0,
     /**
@@ -367,6 +367,16 @@ enum nm_format
      * TetGen's points, facets of one polygon each, holes and regions, read only (.smesh).
      */
     NM_FORMAT_SMESH = 15,
+    /**
+     * Stereolithography's triangles, as text or binary data, read only (.stl). Equal corners are one
+     * point; the marker of a triangle is the number of its solid, from 1.
+     */
+    NM_FORMAT_STL = 16,
+    /**
+     * Wavefront's points, polygons and lines, read only (.obj). Markers are the numbers of groups,
+     * from 1 by the order of their first names, and 0 before any.
+     */
+    NM_FORMAT_OBJ = 17,
 };
 #ifndef __cplusplus
 typedef int32_t nm_format;
@@ -1997,8 +2007,8 @@ nm_status nm_mesh_create(uint32_t dim,
 /**
  * Makes a mesh of the points of a file, as nm_mesh_create does; of NM_FORMAT_POLY,
  * NM_FORMAT_SMESH, NM_FORMAT_GEOJSON and NM_FORMAT_WKT with its segments, facets and regions, as
- * by nm_mesh_set_segments, nm_mesh_set_facets and nm_mesh_set_regions; of NM_FORMAT_OFF and
- * NM_FORMAT_PLY in 3D with its faces, as by nm_mesh_set_triangles or, if some are no triangles,
+ * by nm_mesh_set_segments, nm_mesh_set_facets and nm_mesh_set_regions; of NM_FORMAT_STL,
+ * NM_FORMAT_OBJ, NM_FORMAT_OFF and NM_FORMAT_PLY in 3D with its faces, as by nm_mesh_set_triangles or, if some are no triangles,
  * nm_mesh_set_facets.
  *
  * path_utf8: UTF-8 on every system. format: NM_FORMAT_AUTO goes by the extension. The dimension is

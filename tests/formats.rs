@@ -313,7 +313,7 @@ proptest! {
 
 #[test]
 fn formats_that_cannot_be_written_say_so() {
-    for name in ["a.poly", "a.smesh", "a.geojson", "a.wkt", "a.stl", "a", "a.json"] {
+    for name in ["a.poly", "a.smesh", "a.geojson", "a.wkt", "a.stl", "a.obj", "a", "a.json"] {
         let path = Path::new(name);
         let errors = [
             write_file(&two_points(), path, Format::Auto).unwrap_err(),
@@ -323,13 +323,14 @@ fn formats_that_cannot_be_written_say_so() {
         for error in errors {
             assert_eq!(error.kind(), ErrorKind::InvalidArgument, "{error}");
             assert!(error.message().starts_with(&format!("{name}: ")), "{error}");
-            let offered = [".poly,", ".smesh,", ".geojson,", ".wkt,", ".wkt or"];
+            let offered = [".poly,", ".smesh,", ".geojson,", ".wkt,", ".stl,", ".obj,", ".wkt or"];
             assert!(offered.iter().all(|offered| !error.message().contains(offered)), "{error}");
         }
         assert!(!path.exists());
     }
     assert_eq!(Format::Off.resolve_output(Path::new("a.poly")), Ok(Format::Off));
-    for format in [Format::Poly, Format::Smesh, Format::Geojson, Format::Wkt] {
+    let read_only = [Format::Smesh, Format::Stl, Format::Obj, Format::Geojson, Format::Wkt];
+    for format in read_only.into_iter().chain([Format::Poly]) {
         let error = write(&two_points(), format, &mut Vec::new()).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::InvalidArgument);
         let expected =
@@ -383,6 +384,8 @@ fn extensions_stand_for_formats() {
         (&["domains.json"], Format::DomainsJson),
         (&["poly", "POLY"], Format::Poly),
         (&["smesh"], Format::Smesh),
+        (&["stl", "STL"], Format::Stl),
+        (&["obj"], Format::Obj),
         (&["geojson", "GeoJSON"], Format::Geojson),
         (&["wkt"], Format::Wkt),
     ] {
@@ -391,11 +394,11 @@ fn extensions_stand_for_formats() {
             assert_eq!(Format::from_path(&path).unwrap(), format, "{extension}");
         }
     }
-    for path in ["a", "a.stl", ".csv", "csv", "a.csv.gz", "a.json", "voronoi.json", "a.xyz.json"] {
+    for path in ["a", "a.gltf", ".csv", "csv", "a.csv.gz", "a.json", "voronoi.json", "a.xyz.json"] {
         let error = Format::from_path(Path::new(path)).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::InvalidArgument, "{path}");
         let known = ".vtu, .node, .ele, .msh, .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, .npy, \
-                     .poly, .smesh, .geojson, .wkt, .voronoi.json or .domains.json";
+                     .poly, .smesh, .stl, .obj, .geojson, .wkt, .voronoi.json or .domains.json";
         assert!(error.message().ends_with(known), "{error}");
     }
 }

@@ -230,10 +230,9 @@ fn elements_beside_nodes_are_left_out_by_name() {
 fn surfaces_are_refused_for_what_they_are() {
     let directory = Directory::new("surfaces");
     for (name, words) in [
-        ("part.stl", "an STL file is a surface in a format that is not read yet"),
-        ("part.STL", "an STL file is a surface"),
-        ("part.obj", "an OBJ file is a surface"),
-        ("part.3mf", "a 3MF file is a surface"),
+        ("part.3mf", "a 3MF file is a surface in a format that is not read yet"),
+        ("part.3MF", "a 3MF file is a surface"),
+        ("part.gltf", "a glTF file is a surface"),
         ("part.glb", "a glTF file is a surface"),
     ] {
         let path = directory.join(name);
@@ -242,10 +241,10 @@ fn surfaces_are_refused_for_what_they_are() {
         assert_eq!(error.kind(), ErrorKind::InvalidArgument);
         assert!(error.is_of_content(), "{error}");
         assert!(error.message().contains(words), "{error}");
-        assert!(error.message().ends_with("convert it to .off or .ply"), "{error}");
+        assert!(error.message().ends_with("convert it to .stl, .off or .ply"), "{error}");
     }
     // Whoever names a format knows better.
-    let path = directory.join("part.stl");
+    let path = directory.join("part.glb");
     fs::write(&path, "0 0\n1 0\n0 1\n").unwrap();
     assert!(read_table_file(&path, Format::Xyz, &Choice::default()).is_ok());
     let error = read_table_file(&directory.join("a.what"), Format::Auto, &Choice::default());

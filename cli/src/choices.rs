@@ -49,6 +49,10 @@ pub enum FormatName {
     Poly,
     /// TetGen's points, facets and regions, a line for each facet, read only (.smesh)
     Smesh,
+    /// Triangles of STL, as text or binary data, read only (.stl)
+    Stl,
+    /// Points, polygons and lines of OBJ, read only (.obj)
+    Obj,
     /// Points, lines and polygons of GeoJSON, read only (.geojson)
     #[value(name = "geojson")]
     Geojson,
@@ -62,7 +66,7 @@ pub struct ReadableFormat(pub FormatName);
 
 impl ValueEnum for ReadableFormat {
     fn value_variants<'a>() -> &'a [Self] {
-        const READABLE: [ReadableFormat; 12] = [
+        const READABLE: [ReadableFormat; 14] = [
             ReadableFormat(FormatName::Tetgen),
             ReadableFormat(FormatName::Gmsh),
             ReadableFormat(FormatName::Medit),
@@ -73,6 +77,8 @@ impl ValueEnum for ReadableFormat {
             ReadableFormat(FormatName::Npy),
             ReadableFormat(FormatName::Poly),
             ReadableFormat(FormatName::Smesh),
+            ReadableFormat(FormatName::Stl),
+            ReadableFormat(FormatName::Obj),
             ReadableFormat(FormatName::Geojson),
             ReadableFormat(FormatName::Wkt),
         ];
@@ -127,6 +133,8 @@ impl FormatName {
             Self::DomainsJson => Format::DomainsJson,
             Self::Poly => Format::Poly,
             Self::Smesh => Format::Smesh,
+            Self::Stl => Format::Stl,
+            Self::Obj => Format::Obj,
             Self::Geojson => Format::Geojson,
             Self::Wkt => Format::Wkt,
         }

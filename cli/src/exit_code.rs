@@ -39,7 +39,7 @@ Exit codes:
   3  input missing, unreadable or malformed
   4  input refused: non-finite coordinate, fewer than two distinct points,
      dimension other than 2 to 8, lower affine rank with --algorithm delaunay,
-     segments, facets or seeds that no mesh can have, surfaces as .stl or .obj,
+     segments, facets or seeds that no mesh can have, surfaces as .3mf or .gltf,
      sizes that are none
   5  limit reached: --max-vertices, 32-bit ids, memory, or points so far
      apart (above about 2e307) that the cage around them leaves the doubles

@@ -26,8 +26,8 @@ fn unknown_option_is_wrong_usage() {
 #[test]
 fn unknown_format_name_is_wrong_usage() {
     let bench = bench_with("unknown_format_name", SQUARE);
-    let outcome = bench.run("points.xyz -o mesh.vtu --output-format stl");
-    outcome.assert_failure(2, &["stl", "vtu"]);
+    let outcome = bench.run("points.xyz -o mesh.vtu --output-format gltf");
+    outcome.assert_failure(2, &["gltf", "vtu"]);
 }
 
 #[test]
@@ -39,7 +39,7 @@ fn value_that_is_no_number_is_wrong_usage() {
 #[test]
 fn unknown_extension_of_the_output_is_wrong_usage() {
     let bench = bench_with("unknown_extension", SQUARE);
-    bench.run("points.xyz -o mesh.stl").assert_failure(2, &["mesh.stl"]);
+    bench.run("points.xyz -o mesh.gltf").assert_failure(2, &["mesh.gltf"]);
     assert_eq!(bench.files(), ["points.xyz"]);
 }
 
@@ -219,14 +219,14 @@ fn only_formats_that_can_be_written_are_offered() {
     let bench = bench_with("offered", SQUARE);
     let outcome = bench.run("points.xyz -o - --output-format poly");
     outcome.assert_failure(2, &["--output-format", "[possible values: vtu, tetgen"]);
-    let outcome = bench.run("points.xyz -o mesh.stl");
-    outcome.assert_failure(2, &["mesh.stl", "names no format that can be written"]);
-    for outcome in [outcome, bench.run("points.xyz -o - --output-format stl")] {
-        for read_only in ["poly", "geojson", "wkt"] {
+    let outcome = bench.run("points.xyz -o mesh.gltf");
+    outcome.assert_failure(2, &["mesh.gltf", "names no format that can be written"]);
+    for outcome in [outcome, bench.run("points.xyz -o - --output-format gltf")] {
+        for read_only in ["poly", "stl", "obj", "geojson", "wkt"] {
             assert!(!outcome.stderr.contains(read_only), "{}", outcome.stderr);
         }
     }
-    for name in ["mesh.poly", "mesh.geojson", "mesh.wkt"] {
+    for name in ["mesh.poly", "mesh.stl", "mesh.obj", "mesh.geojson", "mesh.wkt"] {
         bench.run(&format!("points.xyz -o {name}")).assert_failure(2, &[name, "only read"]);
     }
     let attributes = bench.run("points.xyz --columns 1,2 --attributes 1 -o mesh.what");
@@ -275,10 +275,12 @@ fn the_code_says_whether_the_file_or_its_content_is_wrong() {
     bench.run("a.geojson").assert_failure(4, &["a line with fewer than 2 positions"]);
     bench.write("a.off", "OFF\n2 1 0\n0 0 0\n1 0 0\n2 0 2\n");
     bench.run("a.off").assert_failure(4, &["a.off: line 5, column 3: vertex id 2 of 2 vertices"]);
-    bench.write("a.stl", "solid\nendsolid\n");
-    bench.run("a.stl").assert_failure(4, &["a.stl: an STL file is a surface"]);
-    bench.write("a.obj", "v 0 0 0\n");
-    bench.run("a.obj").assert_failure(4, &["a.obj: an OBJ file is a surface"]);
+    bench.write("a.3mf", "PK");
+    bench.run("a.3mf").assert_failure(4, &["a.3mf: a 3MF file is a surface"]);
+    bench.write("a.stl", "solid\nfacet normal 0 0 1\nouter loop\n");
+    bench.run("a.stl").assert_failure(3, &["a.stl: the file ends after line 3: the last facet"]);
+    bench.write("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2 3\n");
+    bench.run("a.obj").assert_failure(4, &["a.obj: line 3, column 4: vertex id 3 of 2 vertices"]);
     bench.write("a.pts", "version: 1\nn_points: 1\n{\n0 0\n}\n");
     bench.run("a.pts").assert_failure(3, &["begins a file of landmarks of an image"]);
     bench.write("a.csv", "x;y\n0;0\n1;1\n");

@@ -73,7 +73,7 @@ fn a_background_without_sizes_is_refused() {
     // The file does not say which of several attributes is a size.
     bench.write("three.node", "3 2 3 0\n0 0 0 1 0 1\n1 1 0 4 0 4\n2 0 1 1 0 1\n");
     bench.write("none.node", "3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n");
-    bench.write("surface.stl", "solid\nendsolid\n");
+    bench.write("surface.3mf", "PK");
     for (code, file, word) in [
         (4, "plain.csv", "size"),
         (4, "flat.csv", "rank"),
@@ -83,7 +83,7 @@ fn a_background_without_sizes_is_refused() {
         (4, "tensors.xyz", "tensors.mtr: line 1: 3 values a point, as metric tensors have them"),
         (4, "three.node", "3 attributes a point, and no names for them"),
         (4, "none.node", "every column of the file is a coordinate"),
-        (4, "surface.stl", "an STL file is a surface"),
+        (4, "surface.3mf", "a 3MF file is a surface"),
         (3, "ragged.csv", "line 3: 2 columns"),
         (3, "none.csv", "none.csv"),
         (2, "points.what", "names no format that can be read"),

@@ -5,6 +5,20 @@ use netmesh::io::{Choice, Format, Table, read_table};
 use netmesh::{ErrorKind, Mesh, Result};
 use std::io::{BufRead, BufReader};
 
+/// Checks a file of a surface: refused with a documented kind, or facets of points that are there.
+pub fn check_surface(format: Format, text: &[u8]) {
+    let read = |input: &mut dyn BufRead| read_table(input, format, &Choice::default());
+    let whole = read(&mut &*text);
+    assert_eq!(whole, read(&mut BufReader::with_capacity(3, text)), "the size of pieces matters");
+    match whole {
+        Ok(table) => check_facets(&table),
+        Err(error) => {
+            let kinds = [ErrorKind::Format, ErrorKind::NonFinite];
+            assert!(kinds.contains(&error.kind()), "{:?}: {error}", error.kind());
+        }
+    }
+}
+
 /// Checks a file; returns true if it was accepted.
 pub fn check_text(format: Format, text: &[u8]) -> bool {
     let read = |input: &mut dyn BufRead| -> Result<Table> {

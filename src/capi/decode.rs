@@ -30,6 +30,8 @@ pub(super) fn decode_format(raw: MaybeUninit<Format>) -> Result<Format> {
         Format::Geojson,
         Format::Wkt,
         Format::Smesh,
+        Format::Stl,
+        Format::Obj,
     ];
     decode("format", "nm_format", raw, formats)
 }

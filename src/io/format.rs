@@ -11,8 +11,8 @@ use std::path::Path;
 #[repr(i32)]
 pub enum Format {
     /// Format that the extension of the path names: .vtu, .node and .ele, .msh, .mesh, .off, .ply,
-    /// .xyz (.txt, .xy, .pts), .csv, .npy, .poly, .smesh, .geojson, .wkt, .voronoi.json,
-    /// .domains.json.
+    /// .xyz (.txt, .xy, .pts), .csv, .npy, .poly, .smesh, .stl, .obj, .geojson, .wkt,
+    /// .voronoi.json, .domains.json.
     #[default]
     Auto = 0,
     /// VTK XML unstructured grid (.vtu), for ParaView and VTK, with arrays per point and per cell.
@@ -51,6 +51,12 @@ pub enum Format {
     Wkt = 14,
     /// TetGen's points, facets of one polygon each, holes and regions, read only (.smesh).
     Smesh = 15,
+    /// Stereolithography's triangles, as text or binary data, read only (.stl). Equal corners are one
+    /// point; the marker of a triangle is the number of its solid, from 1.
+    Stl = 16,
+    /// Wavefront's points, polygons and lines, read only (.obj). Markers are the numbers of groups,
+    /// from 1 by the order of their first names, and 0 before any.
+    Obj = 17,
 }
 
 impl Format {
@@ -73,12 +79,14 @@ impl Format {
             Some("domains.json") => Ok(Self::DomainsJson),
             Some("poly") => Ok(Self::Poly),
             Some("smesh") => Ok(Self::Smesh),
+            Some("stl") => Ok(Self::Stl),
+            Some("obj") => Ok(Self::Obj),
             Some("geojson") => Ok(Self::Geojson),
             Some("wkt") => Ok(Self::Wkt),
             _ => Err(Error::invalid(message!(
                 "{}: the extension names no known format; name one, or use .vtu, .node, .ele, \
                      .msh, .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, .npy, .poly, .smesh, \
-                     .geojson, .wkt, .voronoi.json or .domains.json",
+                     .stl, .obj, .geojson, .wkt, .voronoi.json or .domains.json",
                 path.display()
             ))),
         }
@@ -101,6 +109,8 @@ impl Format {
             Self::DomainsJson => "the hierarchy of domains",
             Self::Poly => "Triangle's and TetGen's .poly",
             Self::Smesh => "TetGen's .smesh",
+            Self::Stl => "STL",
+            Self::Obj => "OBJ",
             Self::Geojson => "GeoJSON",
             Self::Wkt => "WKT",
         }
@@ -118,6 +128,8 @@ impl Format {
             | Self::DomainsJson
             | Self::Poly
             | Self::Smesh
+            | Self::Stl
+            | Self::Obj
             | Self::Geojson
             | Self::Wkt => false,
         }
@@ -142,7 +154,7 @@ impl Format {
             Error::invalid(message)
         })?;
         match resolved {
-            Self::Poly | Self::Smesh | Self::Geojson | Self::Wkt => {
+            Self::Poly | Self::Smesh | Self::Stl | Self::Obj | Self::Geojson | Self::Wkt => {
                 Err(resolved.read_only().within(&path.display()))
             }
             _ => Ok(resolved),
@@ -166,7 +178,7 @@ impl Format {
             let message = message!(
                 "{}: the extension names no format that can be read; name the format, or use \
                  .node, .ele, .msh, .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, .npy, .poly, \
-                 .smesh, .geojson or .wkt",
+                 .smesh, .stl, .obj, .geojson or .wkt",
                 path.display()
             );
             Error::invalid(message)
@@ -178,7 +190,7 @@ impl Format {
         match self {
             Self::Vtu | Self::VoronoiJson | Self::DomainsJson => Err(Error::invalid(message!(
                 "{} cannot be read, only written; points are read from TetGen, Gmsh, Medit, \
-                     OFF, PLY, XYZ, CSV, NumPy, .poly, .smesh, GeoJSON and WKT files",
+                     OFF, PLY, XYZ, CSV, NumPy, .poly, .smesh, STL, OBJ, GeoJSON and WKT files",
                 self.name()
             ))),
             _ => Ok(()),
@@ -205,20 +217,15 @@ fn surface_at(path: &Path) -> Option<Error> {
     let extension = path.extension()?.to_str()?.to_ascii_lowercase();
     let (_, name) = SURFACES.iter().find(|(known, _)| *known == extension)?;
     let message = message!(
-        "{}: {name} is a surface in a format that is not read yet; convert it to .off or .ply",
+        "{}: {name} is a surface in a format that is not read yet; convert it to .stl, .off or .ply",
         path.display()
     );
     Some(Error::invalid(message).of_content())
 }
 
 /// Extensions of files of surfaces, and what messages call such a file.
-const SURFACES: [(&str, &str); 5] = [
-    ("stl", "an STL file"),
-    ("obj", "an OBJ file"),
-    ("3mf", "a 3MF file"),
-    ("gltf", "a glTF file"),
-    ("glb", "a glTF file"),
-];
+const SURFACES: [(&str, &str); 3] =
+    [("3mf", "a 3MF file"), ("gltf", "a glTF file"), ("glb", "a glTF file")];
 
 /// Returns the part after the last dot in lower case; of names that end with `.json` the part
 /// before, too.

@@ -6,6 +6,8 @@
 //! | [`Format::TetgenNode`] | `.node`, `.ele` | points | mesh |
 //! | [`Format::Poly`] | `.poly` | points, segments (d = 2), facets (d = 3), regions | |
 //! | [`Format::Smesh`] | `.smesh` | points, facets, regions, d = 3 | |
+//! | [`Format::Stl`] | `.stl` | points, triangles, d = 3 | |
+//! | [`Format::Obj`] | `.obj` | points, facets, segments, d = 3 | |
 //! | [`Format::Geojson`] | `.geojson` | points, segments, d = 2 | |
 //! | [`Format::Wkt`] | `.wkt` | points, segments, d = 2 | |
 //! | [`Format::Gmsh`] | `.msh` | points, d = 2, 3 | mesh, d = 2, 3 |
@@ -49,6 +51,7 @@ mod layout;
 mod measures;
 mod medit;
 mod npy;
+mod obj;
 mod off;
 mod ply;
 mod poly;
@@ -57,6 +60,7 @@ mod replace;
 #[cfg(test)]
 pub(crate) mod samples;
 mod scanner;
+mod stl;
 mod surface;
 mod tetgen;
 mod text;
@@ -101,7 +105,7 @@ impl PointCloud {
 /// # Errors
 /// - `Io`: no such file, a directory, or reading fails;
 /// - `InvalidArgument`: a format that cannot be read, or an extension that names none or a format
-///   of surfaces that is not read (STL, OBJ, ...);
+///   of surfaces that is not read (3MF, glTF);
 /// - `Format`: not a number, a number too large for a double, rows of differing length, no points,
 ///   counts and ids that do not fit the data, a file that ends early or goes on after its end, a
 ///   line over 1 MiB, NUL bytes, text that is not UTF-8, a variant of the format that is not read;
@@ -246,7 +250,9 @@ fn read_named(
         choice.coordinates.require_none(format.name())?;
     }
     let has_points_alone = matches!(format, Format::Gmsh | Format::Medit | Format::Off);
-    if has_points_alone || matches!(format, Format::Geojson | Format::Wkt) {
+    let has_outline_alone =
+        matches!(format, Format::Stl | Format::Obj | Format::Geojson | Format::Wkt);
+    if has_points_alone || has_outline_alone {
         choice.attributes.require_none(format.name())?;
     }
     let mut table = match format {
@@ -267,6 +273,8 @@ fn read_named(
         Format::Gmsh => gmsh::read(text::Lines::new(input)),
         Format::Medit => medit::read(text::Lines::new(input)),
         Format::Off => off::read(text::Lines::new(input)),
+        Format::Stl => stl::read(input),
+        Format::Obj => obj::read(text::Lines::new(input)),
         _ => Err(auto_without_path()),
     }?;
     if choice.has_points_alone {
@@ -434,7 +442,12 @@ impl<'a> Content<'a> {
             Format::Npy => Ok(Self::Npy(mesh, attributes)),
             Format::VoronoiJson => Ok(Self::Voronoi(mesh, triangulation()?)),
             Format::DomainsJson => triangulation().map(Self::Domains),
-            Format::Poly | Format::Smesh | Format::Geojson | Format::Wkt => Err(format.read_only()),
+            Format::Poly
+            | Format::Smesh
+            | Format::Stl
+            | Format::Obj
+            | Format::Geojson
+            | Format::Wkt => Err(format.read_only()),
         }
     }
 

@@ -21,7 +21,7 @@ pub(super) fn read(mut lines: Lines<'_>) -> Result<Table> {
         let line = lines.require(|| format!("{index} of {} faces", header.faces))?;
         read_face(&line, header.vertices, &mut face)?;
         match header.is_surface {
-            true => polygons.add_face(&face, &mut outline)?,
+            true => polygons.add_face(&face, 0, &mut outline)?,
             false => left_out.add(header.dimension_of(face.len() as u64), 1),
         }
     }

@@ -41,14 +41,14 @@ impl Polygons {
 
     /// Adds a face of a surface, whose points may be any number: three or more are a facet, two a
     /// segment, and one says nothing that the list of points does not.
-    pub fn add_face(&mut self, corners: &[u32], outline: &mut Outline) -> Result<()> {
+    pub fn add_face(&mut self, corners: &[u32], marker: i32, outline: &mut Outline) -> Result<()> {
         match *corners {
             [] | [_] => Ok(()),
             [from, to] => {
                 outline.segments.try_push([from, to])?;
-                Ok(outline.markers.try_push(0)?)
+                Ok(outline.markers.try_push(marker)?)
             }
-            _ => self.add([corners], 0),
+            _ => self.add([corners], marker),
         }
     }
 
@@ -81,7 +81,7 @@ mod tests {
     fn faces_are_triangles_only_if_all_have_three_points() {
         let read = |faces: &[&[u32]]| {
             let (mut polygons, mut outline) = (Polygons::default(), Outline::default());
-            faces.iter().for_each(|face| polygons.add_face(face, &mut outline).unwrap());
+            faces.iter().for_each(|face| polygons.add_face(face, 0, &mut outline).unwrap());
             (polygons.surface(), outline)
         };
         let (facets, outline) = read(&[&[0, 1, 2], &[3], &[], &[4, 5], &[2, 1, 3]]);

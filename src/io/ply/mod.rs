@@ -56,7 +56,7 @@ impl Rows {
     /// Adds the face whose vertices have been read.
     fn add_face(&mut self) -> Result<()> {
         let Self { face, polygons, outline, .. } = self;
-        polygons.add_face(face, outline)?;
+        polygons.add_face(face, 0, outline)?;
         face.clear();
         Ok(())
     }

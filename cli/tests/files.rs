@@ -47,7 +47,7 @@ fn streams_need_a_format_that_fits() {
         2,
         &[
             "--input-format",
-            "tetgen, gmsh, medit, off, ply, xyz, csv, npy, poly, smesh, geojson, wkt]",
+            "tetgen, gmsh, medit, off, ply, xyz, csv, npy, poly, smesh, stl, obj, geojson, wkt]",
         ],
     );
 }

@@ -208,9 +208,10 @@ fn is_documented(error: &Error, options: &Options, meet: bool) -> bool {
     let message = error.message();
     match error.kind() {
         ErrorKind::InvalidArgument => {
-            let is_meeting = [" cross near ", " touch near ", " overlap near ", " has no area near "]
-                .iter()
-                .any(|kind| message.contains(kind));
+            let is_meeting =
+                [" cross near ", " touch near ", " overlap near ", " has no area near "]
+                    .iter()
+                    .any(|kind| message.contains(kind));
             let asks_for_closed = matches!(options.interior, Interior::Parity | Interior::Winding);
             (meet && is_meeting)
                 || (asks_for_closed && message.ends_with("so that all surfaces are closed"))

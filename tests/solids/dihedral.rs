@@ -114,8 +114,8 @@ fn flat_cells_are_no_slivers() {
     }
     let corners = [[0.0, 0.0], [6.0, 0.0], [6.0, 6.0], [0.0, 6.0]];
     points.extend(corners.map(|[x, y]| tilted([x, y, 4.0])));
-    let mesh = Solid { points, ..Solid::default() }
-        .run(&Options { extent: Extent::Hull, ..asked(15.0) });
+    let mesh =
+        Solid { points, ..Solid::default() }.run(&Options { extent: Extent::Hull, ..asked(15.0) });
     assert!(!mesh.boundary.flat.is_empty());
     assert_eq!(mesh.below_min_dihedral, below(&mesh, 15.0));
     assert!(mesh.below_min_dihedral.is_empty(), "{}", mesh.below_min_dihedral.len());

@@ -3,8 +3,8 @@
 use crate::complex::SimplexId;
 use crate::delaunay::Delaunay;
 use crate::netmesh::slivers::shape::Measure;
-use crate::netmesh::state::hierarchy::Hierarchy;
 use crate::netmesh::state::facets::Facets;
+use crate::netmesh::state::hierarchy::Hierarchy;
 use crate::netmesh::state::segments::SegmentState;
 use crate::netmesh::state::segments::chain::Chains;
 use crate::netmesh::state::segments::regions::Regions;

@@ -19,11 +19,7 @@ impl State<3> {
 
     /// Measures simplices that were made, and queues those that are slivers. Some may be dead
     /// again.
-    pub(super) fn weigh(
-        &mut self,
-        created: &[SimplexId],
-        slivers: &mut Slivers,
-    ) -> Result<()> {
+    pub(super) fn weigh(&mut self, created: &[SimplexId], slivers: &mut Slivers) -> Result<()> {
         let bound = self.delaunay.complex().simplex_bound();
         slivers.penalties.cover(bound, 0.0)?;
         slivers.changed.cover(self.delaunay.point_count(), 0)?;

@@ -46,7 +46,8 @@ fn main() {
     }
 }
 
-/// Returns the command line that MPI's compiler wrapper would run; `None` if there is no such wrapper.
+/// Returns the command line that MPI's compiler wrapper would run; `None` if there is no such
+/// wrapper.
 fn command_of(wrapper: &str) -> Option<String> {
     let output = Command::new(wrapper).arg("-show").output().ok()?;
     output.status.success().then(|| String::from_utf8_lossy(&output.stdout).into_owned())

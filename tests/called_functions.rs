@@ -1,4 +1,4 @@
-//! Each function of `netmesh.h`, and each of the class in `netmesh.hpp`, is called by a test in C
+//! Each function of `netmesh.h`, and each of the class of `netmesh.hpp`, is called by a test in C
 //! or C++: these alone go the way that a caller's program goes.
 
 use crate::compiler::root;
@@ -64,17 +64,39 @@ fn functions_of(header: &str) -> BTreeSet<String> {
     declared.map(|(_, name, _)| (*name).to_owned()).collect()
 }
 
-/// Returns the public functions of the class: its code is indented by four blanks.
-fn methods_of(header: &str) -> BTreeSet<String> {
+/// Returns the public functions of a class: its code is indented by four blanks.
+fn methods_of(header: &str, class: &str) -> BTreeSet<String> {
     let code = code_of(header);
-    let start = code.find("\nclass mesh ").expect("the header has the class");
-    let class = &code[start..];
-    let class = &class[..class.find("\nprivate:").expect("the class has a private part")];
+    let start = code.find(&format!("\nclass {class} ")).expect("the header has the class");
+    let body = &code[start..];
+    let ends = ["\nprivate:", "\nprotected:"].map(|word| body.find(word));
+    let body = &body[..ends.into_iter().flatten().min().expect("a part that is not public")];
     let begin = |line: &&str| line.starts_with("    ") && !line.starts_with("     ");
-    let named = class.lines().filter(begin).filter_map(|line| {
+    let named = body.lines().filter(begin).filter_map(|line| {
         names(line).iter().find(|(_, _, behind)| behind.starts_with('(')).map(|(_, name, _)| *name)
     });
-    named.filter(|name| *name != "mesh").map(str::to_owned).collect()
+    named.filter(|name| *name != class).map(str::to_owned).collect()
+}
+
+/// Returns the base of a class.
+fn base_of<'a>(header: &'a str, class: &str) -> &'a str {
+    let (_, head) = header.split_once(&format!("\nclass {class} : ")).expect("a base");
+    let (head, _) = head.split_once(" {").expect("the body");
+    head.rsplit([' ', ':']).next().expect("the name of the base")
+}
+
+/// Returns the public functions of `netmesh::mesh`, with those of its bases. Each base has a header
+/// of its name; `getters`, the last, has no public function.
+fn methods_of_mesh() -> BTreeSet<String> {
+    let mut header = read("include/netmesh.hpp");
+    let mut class = "mesh".to_owned();
+    let mut methods = BTreeSet::new();
+    while class != "getters" {
+        methods.append(&mut methods_of(&header, &class));
+        class = base_of(&header, &class).to_owned();
+        header = read(&format!("include/netmesh/{class}.hpp"));
+    }
+    methods
 }
 
 /// Returns the sources of the tests in C and C++, as code.
@@ -141,8 +163,9 @@ fn a_test_calls_each_function_of_the_c_header() {
 /// call of its own.
 #[test]
 fn a_test_calls_each_function_of_the_class() {
-    let declared = methods_of(&read("include/netmesh.hpp"));
-    assert!(declared.len() > 100 && declared.contains("try_run") && declared.contains("release"));
+    let declared = methods_of_mesh();
+    let of_each_base = ["try_run", "release", "to_string", "set_facets", "locate", "faces", "hull"];
+    assert!(declared.len() > 100 && of_each_base.iter().all(|name| declared.contains(*name)));
     let partner = |name: &String| name.strip_prefix("try_").map(str::to_owned);
     let alone = |name: &String| partner(name).is_none_or(|other| !declared.contains(&other));
     let wanted = declared.iter().filter(|name| alone(name)).cloned().collect();
@@ -165,7 +188,8 @@ fn a_call_that_is_taken_away_is_missed() {
     assert_eq!(left("/* nm_run(mesh);\n */ nm_two(1'000, '\"');"), ["nm_run"]);
     let class = "x\nclass mesh {\n    mesh(int x);\n    int *get() {\n        go();\n    }\n\
                  private:\n    hide();";
-    assert_eq!(methods_of(class).into_iter().collect::<Vec<_>>(), ["get"]);
+    assert_eq!(methods_of(class, "mesh").into_iter().collect::<Vec<_>>(), ["get"]);
+    assert_eq!(base_of("\nclass mesh : public detail::writers {\n", "mesh"), "writers");
     assert_eq!(
         called_methods("get(); a.get(); b->put(); c.size;").collect::<Vec<_>>(),
         ["get", "put"]

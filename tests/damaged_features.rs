@@ -254,7 +254,8 @@ fn wkt_refuses_damaged_files() {
 #[test]
 fn files_cut_off_anywhere_are_refused() {
     let json = r#"{"type":"FeatureCollection","features":[{"type":"Feature",
-        "properties":{"a":["\u0041",1e5]},"geometry":{"type":"MultiPolygon","coordinates":[[[[0,0],[1.5,0],[0,1],[0,0]]]]}}]}"#;
+        "properties":{"a":["\u0041",1e5]},"geometry":{"type":"MultiPolygon",
+        "coordinates":[[[[0,0],[1.5,0],[0,1],[0,0]]]]}}]}"#;
     let wkt = "MULTIPOLYGON(((0 0,1.5 0,0 1,0 0),(1 1,1 2,2 1,1 1)))";
     for (format, text) in [(Format::Geojson, json), (Format::Wkt, wkt)] {
         from_bytes(text.as_bytes(), format).unwrap();

@@ -50,7 +50,8 @@ fn every_text_format_refuses_what_is_no_text_or_number() {
     ];
     let gmsh = b"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 ";
     let medit = b"MeshVersionFormatted 2\nDimension 2\nVertices 1\n";
-    let ply = b"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nend_header\n";
+    let ply = b"ply\nformat ascii 1.0\nelement vertex 1\n\
+                property float x\nproperty float y\nend_header\n";
     for (format, before, separator, column, after) in [
         (Format::Xyz, &b"1 2\n"[..], b' ', 2, &b"\n"[..]),
         (Format::Csv, b"1,2\n", b',', 2, b"\n"),
@@ -291,7 +292,8 @@ proptest! {
                 "OFF", "nOFF", "x", "kind", "ply\n", "format ascii 1.0\n", "element vertex 1\n",
                 "property double x\n", "property float y\n", "end_header\n",
                 "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n", "$Nodes\n", "$EndNodes\n",
-                "MeshVersionFormatted 2\n", "Dimension 2\n", "Vertices\n", "End\n", "0", "1", "2", "3", "-1", "0.5", "1e308", "1e309", "nan",
+                "MeshVersionFormatted 2\n", "Dimension 2\n", "Vertices\n", "End\n", "0", "1", "2",
+                "3", "-1", "0.5", "1e308", "1e309", "nan",
                 "18446744073709551615", ",", " ", "\n", "\n", "\r\n", "\r", "#", "\0", "\u{feff}",
             ]),
             0..40,
@@ -397,8 +399,9 @@ fn extensions_stand_for_formats() {
     for path in ["a", "a.gltf", ".csv", "csv", "a.csv.gz", "a.json", "voronoi.json", "a.xyz.json"] {
         let error = Format::from_path(Path::new(path)).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::InvalidArgument, "{path}");
-        let known = ".vtu, .node, .ele, .msh, .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, .npy, \
-                     .poly, .smesh, .stl, .obj, .geojson, .wkt, .voronoi.json or .domains.json";
+        let known = ".vtu, .node, .ele, .msh, .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, \
+                     .npy, .poly, .smesh, .stl, .obj, .geojson, .wkt, .voronoi.json or \
+                     .domains.json";
         assert!(error.message().ends_with(known), "{error}");
     }
 }

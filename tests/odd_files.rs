@@ -185,8 +185,9 @@ fn elements_of_gmsh_are_left_out_by_their_types() {
          8 92 0 1\n$EndElements\n"
     );
     assert_eq!(left_out(&two, Format::Gmsh), LeftOut { edges: 2, faces: 3, cells: 2 });
-    let four = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 2 1 2\n2 1 0 2\n1\n2\n0 0 0\n1 0 0\n\
-                $EndNodes\n$Elements\n4 5 1 5\n0 1 15 1\n1 1\n1 -3 1 1\n2 1 2\n2 1 2 2\n3 1 2 2\n\
+    let four = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n\
+                $Nodes\n1 2 1 2\n2 1 0 2\n1\n2\n0 0 0\n1 0 0\n$EndNodes\n\
+                $Elements\n4 5 1 5\n0 1 15 1\n1 1\n1 -3 1 1\n2 1 2\n2 1 2 2\n3 1 2 2\n\
                 4 1 2 2\n3 1 4 1\n5 1 2 2 2\n$EndElements\n";
     assert_eq!(left_out(four, Format::Gmsh), LeftOut { edges: 1, faces: 2, cells: 1 });
 }

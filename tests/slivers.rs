@@ -25,7 +25,8 @@ fn run(points: &[f64], options: &Options) -> Mesh {
     mesh
 }
 
-/// Returns the least dihedral angle of a simplex, in degrees: that between the heights over an edge.
+/// Returns the least dihedral angle of a simplex, in degrees: that between the heights over an
+/// edge.
 pub fn least_dihedral(mesh: &Triangulation, simplex: usize) -> f64 {
     let point = |i: usize| <[f64; 3]>::try_from(mesh.point(mesh.simplex(simplex)[i])).unwrap();
     let minus = |a: [f64; 3], b: [f64; 3]| -> [f64; 3] { std::array::from_fn(|k| a[k] - b[k]) };

@@ -26,8 +26,8 @@ Examples:
 #[derive(Debug, Parser)]
 #[command(name = "netmesh", version, after_help = format!("{EXAMPLES}\n\n{}", exit_code::HELP))]
 pub struct Arguments {
-    /// File of points, perhaps with segments or facets; of a mesh its points. "-" is standard input,
-    /// with --input-format
+    /// File of points, perhaps with segments or facets; of a mesh its points. "-" is standard
+    /// input, with --input-format
     pub input: PathBuf,
 
     /// File for the mesh; its extension names the format. "-" is standard output, with
@@ -72,7 +72,9 @@ pub struct Arguments {
     /// is; or "optimal", the least for which its simplices reach all points and are one piece. The
     /// output is its boundary, a file that ends with .ply or .off; the summary has its topology
     #[arg(long, value_name = "ALPHA", value_parser = parse_alpha, allow_negative_numbers = true)]
-    #[arg(conflicts_with_all = ["output_format", "attributes", "filtration", "finish", "hierarchical"])]
+    #[arg(
+        conflicts_with_all = ["output_format", "attributes", "filtration", "finish", "hierarchical"]
+    )]
     pub alpha_shape: Option<AlphaChoice>,
 
     /// Format of the output, where the extension does not tell

@@ -188,7 +188,8 @@ mod tests {
         let expected = "\n\
             angles: 2 500 values from 5.500 to 29.00\n\
             \u{20}                 off the hull   at the hull\n\
-            \u{20}    5 to 10             1 000         1 000  ########################################\n\
+            \u{20}    5 to 10             1 000         1 000  \
+            ########################################\n\
             \u{20}   10 to 20                 0             0\n\
             \u{20}   20 to 30                 1           499  ##########\n";
         assert_eq!(table.text(), expected);

@@ -184,7 +184,7 @@ fn wrong_attributes_name_the_option_the_column_and_the_rule() {
     for (line, words) in [
         (
             "stations.csv --attributes heat",
-            &["stations.csv: --attributes: no column is called \"heat\"", "\"temp\", \"label\""][..],
+            &["stations.csv: --attributes: no column is called \"heat\"", r#""temp", "label""#][..],
         ),
         ("stations.csv --attributes 8", &["--attributes: there is no column 8", "has 7 columns"]),
         ("stations.csv --attributes 5-9", &["--attributes: there is no column 9"]),

@@ -195,7 +195,8 @@ fn too_many_dimensions_hint_at_columns() {
     assert!(!chosen.stderr.contains("--columns"), "{}", chosen.stderr);
 }
 
-/// The points of a surface are read if that is asked for, those of a mesh always; the summary says so.
+/// The points of a surface are read if that is asked for, those of a mesh always; the summary says
+/// so.
 #[test]
 fn what_is_left_out_is_told() {
     let off = "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n";

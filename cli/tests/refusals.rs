@@ -234,8 +234,8 @@ fn only_formats_that_can_be_written_are_offered() {
     assert_eq!(bench.files(), ["points.xyz"]);
 }
 
-/// Content that no mesh can have is refused (4); a file that is none of its format is malformed (3); an
-/// option that does not fit is wrong usage (2).
+/// Content that no mesh can have is refused (4); a file that is none of its format is malformed
+/// (3); an option that does not fit is wrong usage (2).
 #[test]
 fn the_code_says_whether_the_file_or_its_content_is_wrong() {
     let bench = Workbench::new("content");

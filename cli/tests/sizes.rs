@@ -29,7 +29,8 @@ fn edges_are_as_short_as_asked_for() {
     assert_eq!(vertices(&bench, "--sizes even.mtr --max-edge 0.05"), edges);
 }
 
-/// Points under TetGen's names, with an attribute, and in a file with names of columns make one mesh.
+/// Points under TetGen's names, with an attribute, and in a file with names of columns make one
+/// mesh.
 #[test]
 fn a_background_has_sizes() {
     let bench = bench("background");

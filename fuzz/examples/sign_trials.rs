@@ -30,7 +30,8 @@ fn main() {
     let threads: u64 = arguments.next().map_or(2, |x| x.parse().expect("threads is a number"));
     let seed: u64 = arguments.next().map_or(1, |x| x.parse().expect("seed is a number"));
     println!(
-        "dim  kind         orientations  in-ball signs  by the filter  by a ball      zero  wrong  thread s"
+        "dim  kind         orientations  in-ball signs  by the filter  by a ball      \
+         zero  wrong  thread s"
     );
     let mut all = Counts::default();
     for (dim, plan) in PLAN {

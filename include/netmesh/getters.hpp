@@ -47,10 +47,13 @@ struct facet_tables {
 
 namespace detail {
 
-// Handle of a mesh; netmesh::mesh owns it.
+// Handle of a mesh; netmesh::mesh owns it. Nobody copies it, or frees it, by way of a base.
 class getters {
 protected:
     explicit getters(nm_mesh *handle) noexcept : handle_(handle) {}
+    getters(const getters &) = delete;
+    getters &operator=(const getters &) = delete;
+    ~getters() = default;
 
     template <typename Struct>
     result<Struct> filled(nm_status (*fill)(const nm_mesh *, Struct *)) const noexcept {

@@ -77,14 +77,14 @@ enum nm_mpi_format
      */
     NM_MPI_FORMAT_AUTO = 0,
     /**
-     * VTK's parallel unstructured grid: NAME.pvtu, and beside it NAME_RANK.vtu of each rank, with its
-     * ghosts (vtkGhostType 1) and all ids (GlobalNodeId, GlobalCellId). Dimensions 2 and 3.
+     * VTK's parallel unstructured grid: NAME.pvtu, and beside it NAME_RANK.vtu of each rank, with
+     * its ghosts (vtkGhostType 1) and all ids (GlobalNodeId, GlobalCellId). Dimensions 2 and 3.
      */
     NM_MPI_FORMAT_PVTU = 1,
     /**
-     * NumPy arrays of the whole mesh: for NAME.npy the files NAME.points.npy (doubles, vertex_ids x
-     * dim: row v is vertex v, and row i input i, duplicates included) and NAME.simplices.npy (unsigned
-     * 64-bit ids of vertices, simplices x (dim + 1)).
+     * NumPy arrays of the whole mesh: for NAME.npy the files NAME.points.npy (doubles, vertex_ids
+     * x dim: row v is vertex v, and row i input i, duplicates included) and NAME.simplices.npy
+     * (unsigned 64-bit ids of vertices, simplices x (dim + 1)).
      */
     NM_MPI_FORMAT_NPY = 2,
 };
@@ -298,11 +298,10 @@ extern "C" {
 NM_API size_t nm_mpi_last_error(char *buf, size_t cap);
 
 /**
- * Frees a mesh, and the communicator that it talks through; NULL is allowed. Before MPI_Finalize it is
- * collective, after it is not.
+ * Frees a mesh, and the communicator that it talks through; NULL is allowed. Before MPI_Finalize
+ * it is collective, after it is not.
  */
-NM_API
-void nm_mpi_mesh_free(struct nm_mpi_mesh *mesh);
+NM_API void nm_mpi_mesh_free(struct nm_mpi_mesh *mesh);
 
 /**
  * Writes how large the mesh is. Not collective. O(1).
@@ -316,13 +315,13 @@ nm_status nm_mpi_get_counts(const struct nm_mpi_mesh *mesh,
                             struct nm_mpi_counts *counts);
 
 /**
- * Writes the ids of the vertices that this rank knows: local_vertices of them, first those of its own
- * simplices (own_vertices), then those that only ghosts have, rising in both. The other arrays of
- * vertices are in the same order.
+ * Writes the ids of the vertices that this rank knows: local_vertices of them, first those of its
+ * own simplices (own_vertices), then those that only ghosts have, rising in both. The other arrays
+ * of vertices are in the same order.
  *
- * The id of an input is its index among the inputs of all ranks, in the order of the ranks; of equal
- * inputs that of the first. Vertices that are no inputs follow, from the number of inputs on: their
- * ids do not depend on the ranks.
+ * The id of an input is its index among the inputs of all ranks, in the order of the ranks; of
+ * equal inputs that of the first. Vertices that are no inputs follow, from the number of inputs
+ * on: their ids do not depend on the ranks.
  *
  * Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT
  * (buf not aligned).
@@ -334,8 +333,8 @@ nm_status nm_mpi_get_vertex_ids(const struct nm_mpi_mesh *mesh,
                                 uint64_t *needed);
 
 /**
- * Writes the coordinates of the vertices that this rank knows: local_vertices x dim doubles, inputs with
- * the bits that a rank has given.
+ * Writes the coordinates of the vertices that this rank knows: local_vertices x dim doubles,
+ * inputs with the bits that a rank has given.
  *
  * Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT
  * (buf not aligned).
@@ -359,8 +358,8 @@ nm_status nm_mpi_get_vertex_kinds(const struct nm_mpi_mesh *mesh,
                                   uint64_t *needed);
 
 /**
- * Writes for each vertex that this rank knows its owner: the lowest of the ranks that have a simplex with
- * it. So every vertex of the mesh has one owner.
+ * Writes for each vertex that this rank knows its owner: the lowest of the ranks that have a
+ * simplex with it. So every vertex of the mesh has one owner.
  *
  * Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT
  * (buf not aligned).
@@ -372,8 +371,8 @@ nm_status nm_mpi_get_vertex_owners(const struct nm_mpi_mesh *mesh,
                                    uint64_t *needed);
 
 /**
- * Writes for each vertex that this rank knows the id of the innermost domain that holds it, below domains;
- * NM_MPI_NONE where there are none.
+ * Writes for each vertex that this rank knows the id of the innermost domain that holds it, below
+ * domains; NM_MPI_NONE where there are none.
  *
  * Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT
  * (buf not aligned).
@@ -399,8 +398,9 @@ nm_status nm_mpi_get_domains(const struct nm_mpi_mesh *mesh,
                              uint64_t *needed);
 
 /**
- * Writes this rank's simplices: local_simplices x (dim + 1) ids of vertices, positively oriented. No other
- * rank has them; all ranks' together are the mesh. The id of the i-th is first_simplex + i.
+ * Writes this rank's simplices: local_simplices x (dim + 1) ids of vertices, positively oriented.
+ * No other rank has them; all ranks' together are the mesh. The id of the i-th is first_simplex +
+ * i.
  *
  * Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT
  * (buf not aligned).
@@ -412,8 +412,9 @@ nm_status nm_mpi_get_simplices(const struct nm_mpi_mesh *mesh,
                                uint64_t *needed);
 
 /**
- * Writes the neighbours of this rank's simplices: local_simplices x (dim + 1) ids of simplices, the i-th
- * opposite vertex i. An id that is not this rank's is that of a ghost. NM_MPI_NONE on the hull.
+ * Writes the neighbours of this rank's simplices: local_simplices x (dim + 1) ids of simplices,
+ * the i-th opposite vertex i. An id that is not this rank's is that of a ghost. NM_MPI_NONE on the
+ * hull.
  *
  * Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT
  * (buf not aligned).
@@ -425,9 +426,9 @@ nm_status nm_mpi_get_neighbors(const struct nm_mpi_mesh *mesh,
                                uint64_t *needed);
 
 /**
- * Writes the ghosts: ghosts x (dim + 1) ids of vertices. They are the simplices of other ranks that
- * share a vertex with one of this rank: with its own simplices they are the whole star of each of its
- * vertices.
+ * Writes the ghosts: ghosts x (dim + 1) ids of vertices. They are the simplices of other ranks
+ * that share a vertex with one of this rank: with its own simplices they are the whole star of
+ * each of its vertices.
  *
  * Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT
  * (buf not aligned).
@@ -463,8 +464,8 @@ nm_status nm_mpi_get_ghost_owners(const struct nm_mpi_mesh *mesh,
                                   uint64_t *needed);
 
 /**
- * Writes the interface: interface_facets elements, by rising simplex and facet. The rank on the other
- * side has each of them, too.
+ * Writes the interface: interface_facets elements, by rising simplex and facet. The rank on the
+ * other side has each of them, too.
  *
  * Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT
  * (buf not aligned).
@@ -477,8 +478,8 @@ nm_status nm_mpi_get_interface(const struct nm_mpi_mesh *mesh,
 
 /**
  * Checks the mesh of all ranks from the coordinates, simplices and ghosts that they have alone,
- * independently of the code that made it and with exact signs. Collective. NM_OK means that the check
- * ran; what it found is in report, the same on all ranks.
+ * independently of the code that made it and with exact signs. Collective. NM_OK means that the
+ * check ran; what it found is in report, the same on all ranks.
  *
  * level, the same on all ranks: 1 topology (ids; neighbours share the facets that they name,
  * across ranks too; a ghost is what its owner has, and none is missing; all ranks have the same of
@@ -497,8 +498,8 @@ nm_status nm_mpi_get_interface(const struct nm_mpi_mesh *mesh,
  * report: of the rank; the caller sets struct_size.
  *
  * Errors, the same on all ranks: NM_NULL_ARGUMENT (mesh, report), NM_INVALID_ARGUMENT (level, also
- * where it differs between ranks; report->struct_size), NM_OUT_OF_MEMORY, NM_IO (MPI failed), NM_STATE
- * (an earlier call on the mesh has failed), NM_PANIC.
+ * where it differs between ranks; report->struct_size), NM_OUT_OF_MEMORY, NM_IO (MPI failed),
+ * NM_STATE (an earlier call on the mesh has failed), NM_PANIC.
  *
  * A NULL for mesh is told to this rank alone: without it there is nothing to talk through.
  *
@@ -510,17 +511,18 @@ nm_status nm_mpi_validate(const struct nm_mpi_mesh *mesh,
                           struct nm_mpi_report *report);
 
 /**
- * Writes the mesh to files that all ranks see under the path, replacing what was there. Collective. The
- * files are written under other names and then renamed: after a failure there is none of this call.
+ * Writes the mesh to files that all ranks see under the path, replacing what was there.
+ * Collective. The files are written under other names and then renamed: after a failure there is
+ * none of this call.
  *
  * path_utf8, format: the same on all ranks, and the directory too. NM_MPI_FORMAT_AUTO goes by the
  * extension. Where a file is a symbolic link, what it leads to is written.
  *
- * Errors, the same on all ranks: NM_NULL_ARGUMENT (mesh, path_utf8), NM_INVALID_ARGUMENT (path_utf8
- * empty or not UTF-8, an unknown format or extension, a format that cannot hold the mesh, a path or a
- * format that differs between ranks), NM_IO (the message has the reason; so too where ranks do not see
- * the same directory, or a file that would be replaced is read-only), NM_OUT_OF_MEMORY, NM_STATE (an
- * earlier call on the mesh has failed).
+ * Errors, the same on all ranks: NM_NULL_ARGUMENT (mesh, path_utf8), NM_INVALID_ARGUMENT
+ * (path_utf8 empty or not UTF-8, an unknown format or extension, a format that cannot hold the
+ * mesh, a path or a format that differs between ranks), NM_IO (the message has the reason; so too
+ * where ranks do not see the same directory, or a file that would be replaced is read-only),
+ * NM_OUT_OF_MEMORY, NM_STATE (an earlier call on the mesh has failed).
  *
  * A NULL for mesh is told to this rank alone: without it there is nothing to talk through.
  *

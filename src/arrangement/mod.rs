@@ -85,11 +85,12 @@ pub struct Task<'a> {
 pub fn arrange(task: &Task<'_>, poll: Poll<'_>) -> Result<Arrangement> {
     let vertices = (0..task.inputs.distinct()).map(|vertex| task.inputs.distinct_point(vertex));
     let mut points = collected(vertices.map(|point| *coordinates::<2>(point, 0)))?;
-    let inputs = points.len();
-    for x in &task.shared.points {
-        if !points[..inputs].contains(x) {
-            points.try_push(*x)?;
-        }
+    let mut are_inputs = filled(task.shared.points().len(), false)?;
+    if !are_inputs.is_empty() {
+        points.iter().filter_map(|x| task.shared.find(x)).for_each(|at| are_inputs[at] = true);
+    }
+    for (x, _) in task.shared.points().zip(are_inputs).filter(|(_, is_input)| !is_input) {
+        points.try_push(*x)?;
     }
     let ends = |ends: &[u32; 2]| ends.map(|input| task.inputs.vertices()[input as usize]);
     let segments = task.segments.inputs.iter().zip(0u32..);
@@ -136,7 +137,7 @@ fn arrange_within(
         let avoids = |part: &Subsegment, vertex: u32| {
             let is_own = (part.segment as usize) < task.own;
             let segment = if is_own { part.segment } else { NONE };
-            task.shared.avoided.contains(&(segment, points[vertex as usize]))
+            task.shared.avoids(segment, &points[vertex as usize])
         };
         let passes = |part: &Subsegment, vertex: u32| {
             avoids(part, vertex) || frame.passes(&points, part, vertex)
@@ -147,7 +148,7 @@ fn arrange_within(
                 arrangement.note_offset(reaches[segment as usize].offset_from_segment(point));
             }
         };
-        let is_shared = |x: &[f64; 2]| task.shared.points.contains(x);
+        let is_shared = |x: &[f64; 2]| task.shared.find(x).is_some();
         let mut bender = Bender::new(&points, reaches, &pieces)?;
         pieces = bender.bend(&pieces, poll, is_shared, passes, bent)?;
         let ranked = RankedVertices::new(&points)?;

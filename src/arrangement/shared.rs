@@ -8,45 +8,82 @@
 use crate::memory::{AllocResult, TryGrow};
 use crate::mesh::Crowded;
 use crate::numerics::{distance, point_between};
+use std::cmp::Ordering;
 
 /// Distance of places on an axis, relative to their coordinates.
 const APART: f64 = 1.0 / (1u64 << 30) as f64;
 
-/// Powers of two between a crowded point and the end with the smaller coordinates, from which on the
-/// place of a vertex is searched for by its power of two.
+/// Powers of two between a crowded point and the end with the smaller coordinates, from which on
+/// the place of a vertex is searched for by its power of two.
 const POWERS: i32 = 16;
 
-/// Vertices that segments must share; some are inputs or crossings of theirs.
+/// Vertices that segments must share, and those that they avoid.
 #[derive(Default)]
 pub struct SharedVertices {
-    pub points: Vec<[f64; 2]>,
-    /// Vertex -> how far it is from where its lines parted.
-    steps: Vec<f64>,
-    /// Vertex -> the end of its line with the smaller coordinates, if its place was found from that.
-    small_ends: Vec<Option<[f64; 2]>>,
-    /// Segments with vertices near them that they do not bend through.
-    pub avoided: Vec<(u32, [f64; 2])>,
+    vertices: Vec<SharedVertex>,
+    /// Numbers of the vertices, sorted by their points.
+    sorted: Vec<u32>,
+    /// Segments with vertices near them that they do not bend through, sorted.
+    avoided: Vec<(u32, [f64; 2])>,
+}
+
+/// A vertex that segments must share; it may be an input or a crossing of theirs.
+struct SharedVertex {
+    x: [f64; 2],
+    /// Distance from where its lines parted.
+    step: f64,
+    /// End of its line with the smaller coordinates, if its place was found from that.
+    small_end: Option<[f64; 2]>,
 }
 
 impl SharedVertices {
+    /// Returns the points of the vertices, in the order in which they were added.
+    pub fn points(&self) -> impl ExactSizeIterator<Item = &[f64; 2]> {
+        self.vertices.iter().map(|vertex| &vertex.x)
+    }
+
+    /// Returns the number of the vertex at a point. O(log n) for n vertices.
+    pub fn find(&self, x: &[f64; 2]) -> Option<usize> {
+        self.place(x).ok().map(|place| self.sorted[place] as usize)
+    }
+
+    /// Returns true if a segment does not bend through a vertex at a point. O(log n) for n pairs of
+    /// a segment and a vertex that it avoids.
+    pub fn avoids(&self, segment: u32, x: &[f64; 2]) -> bool {
+        self.place_of_avoided(segment, x).is_ok()
+    }
+
+    /// Returns the place of a point among the sorted vertices, or where it would be inserted.
+    fn place(&self, x: &[f64; 2]) -> Result<usize, usize> {
+        self.sorted.binary_search_by(|&vertex| compare(&self.vertices[vertex as usize].x, x))
+    }
+
+    /// Returns the place of a segment and a point among those that are avoided, or where they would
+    /// be inserted.
+    fn place_of_avoided(&self, segment: u32, x: &[f64; 2]) -> Result<usize, usize> {
+        self.avoided.binary_search_by(|(other, y)| other.cmp(&segment).then_with(|| compare(y, x)))
+    }
+
     /// Adds vertices for the crowded points of a run, one for each place: it may make room for all
-    /// others there, and many at once would be in each other's lines. Where there is none to be added
-    /// the segments avoid the vertices that they bent through there. Returns true if anything is new.
+    /// others there, and many at once would be in each other's lines. Where there is none to be
+    /// added the segments avoid the vertices that they bent through there. Returns true if anything
+    /// is new.
     pub fn add_all(&mut self, crowded: &[Crowded]) -> AllocResult<bool> {
-        let known = self.points.len();
+        let known = self.vertices.len();
         for crowded in crowded {
-            if self.points[known..].iter().all(|point| are_apart(point, &crowded.x)) {
+            if self.vertices[known..].iter().all(|vertex| are_apart(&vertex.x, &crowded.x)) {
                 self.add(crowded)?;
             }
         }
-        if self.points.len() > known {
+        if self.vertices.len() > known {
             return Ok(true);
         }
         let known = self.avoided.len();
         for &Crowded { segment, ends, .. } in crowded {
             for end in ends {
-                if !self.avoided.contains(&(segment, end)) {
+                if let Err(place) = self.place_of_avoided(segment, &end) {
                     self.avoided.try_push((segment, end))?;
+                    self.avoided[place..].rotate_right(1);
                 }
             }
         }
@@ -61,11 +98,14 @@ impl SharedVertices {
         let small = if size(&from) < size(&to) { from } else { to };
         let toward = self.place_toward(small, crowded).map(|x| (x, Some(small)));
         let places = [toward, Some((self.place_of(crowded), None)), Some((own, None))];
-        let is_new = |(x, _): &([f64; 2], Option<[f64; 2]>)| !self.points.contains(x);
-        if let Some((x, small_end)) = places.into_iter().flatten().find(is_new) {
-            self.points.try_push(x)?;
-            self.steps.try_push(distance(&from, &x))?;
-            self.small_ends.try_push(small_end)?;
+        for (x, small_end) in places.into_iter().flatten() {
+            if let Err(place) = self.place(&x) {
+                let number = self.vertices.len() as u32;
+                self.sorted.try_push(number)?;
+                self.sorted[place..].rotate_right(1);
+                let step = distance(&from, &x);
+                return self.vertices.try_push(SharedVertex { x, step, small_end });
+            }
         }
         Ok(())
     }
@@ -74,8 +114,7 @@ impl SharedVertices {
     /// was; the crowded point itself where that is farther, or where the line does not begin at a
     /// shared vertex or is too short.
     fn place_of(&self, &Crowded { x, ends: [from, to], .. }: &Crowded) -> [f64; 2] {
-        let last = self.points.iter().position(|point| *point == from);
-        let step = last.map_or(0.0, |last| 2.0 * self.steps[last]);
+        let step = self.find(&from).map_or(0.0, |last| 2.0 * self.vertices[last].step);
         let fraction = step / distance(&from, &to);
         if !(step > distance(&from, &x) && 0.0 < fraction && fraction < 0.5) {
             return x;
@@ -84,9 +123,10 @@ impl SharedVertices {
     }
 
     /// Returns a point of a crowded line that runs to an end with far smaller coordinates: beside
-    /// another line up to where doubles are fine enough to tell them apart. That place is bisected by
-    /// its power of two: between the crowded point and the end, or a point nearer to the end that the
-    /// lines turned out not to share, since this one has no vertex there. `None` if it is found.
+    /// another line up to where doubles are fine enough to tell them apart. That place is bisected
+    /// by its power of two: between the crowded point and the end, or a point nearer to the end
+    /// that the lines turned out not to share, since this one has no vertex there. `None` if it is
+    /// found.
     fn place_toward(&self, small: [f64; 2], crowded: &Crowded) -> Option<[f64; 2]> {
         let [from, to] = crowded.ends;
         let far = if small == from { to } else { from };
@@ -96,14 +136,20 @@ impl SharedVertices {
         }
         let power_at = |x: &[f64; 2]| power(distance(&small, x));
         let (own, bottom) = (power_at(&crowded.x), power(size(&small)));
-        let known = self.points.iter().zip(&self.small_ends);
-        let known = known.filter(|&(_, end)| *end == Some(small)).map(|(x, _)| power_at(x));
+        let known = self.vertices.iter().filter(|vertex| vertex.small_end == Some(small));
+        let known = known.map(|vertex| power_at(&vertex.x));
         let above = known.filter(|&power| power < own).max();
         let is_far = own - above.unwrap_or(bottom) > if above.is_some() { 1 } else { POWERS };
         let power = (own + above.unwrap_or(bottom)) / 2 - power_at(&far);
         let fraction = f64::from_bits((1023 + power).max(1) as u64 * (1 << 52));
         is_far.then(|| point_between(&small, &far, fraction))
     }
+}
+
+/// Compares finite points by their coordinates, the first one first; zeros of either sign are
+/// equal.
+fn compare(x: &[f64; 2], y: &[f64; 2]) -> Ordering {
+    x.partial_cmp(y).unwrap_or(Ordering::Equal)
 }
 
 /// Returns the larger magnitude of a point's coordinates.
@@ -132,7 +178,7 @@ mod tests {
         let crowded = |from, x| Crowded { segment: 0, x: [x, 0.0], ends: ends(from) };
         let add = |shared: &mut SharedVertices, from, x| {
             shared.add(&crowded(from, x)).unwrap();
-            shared.points.iter().map(|x| x[0]).collect::<Vec<_>>()
+            shared.points().map(|x| x[0]).collect::<Vec<_>>()
         };
         assert_eq!(add(&mut shared, 0.0, 1.0), [1.0]);
         assert_eq!(add(&mut shared, 1.0, 1.5), [1.0, 3.0]);
@@ -143,10 +189,8 @@ mod tests {
         // The double is there, and too far on.
         assert_eq!(add(&mut shared, 1.0, 1.25), [1.0, 3.0, 7.0, 40.0, 1.25]);
         assert_eq!(add(&mut shared, 1.0, 1.25), [1.0, 3.0, 7.0, 40.0, 1.25]);
-        shared.points.pop();
-        shared.steps.pop();
         // The line is too short for its double.
-        assert_eq!(add(&mut shared, 40.0, 42.0), [1.0, 3.0, 7.0, 40.0, 42.0]);
+        assert_eq!(add(&mut shared, 40.0, 42.0), [1.0, 3.0, 7.0, 40.0, 1.25, 42.0]);
     }
 
     #[test]
@@ -158,9 +202,9 @@ mod tests {
             ends: [[0.0, 5.0], [100.0, 5.0]],
         });
         shared.add_all(&crowded).unwrap();
-        assert_eq!(shared.points, [[1.0, 5.0], [2.0, 5.0]]);
+        assert!(shared.points().eq(&[[1.0, 5.0], [2.0, 5.0]]));
         shared.add_all(&crowded).unwrap();
-        assert_eq!(shared.points[2..], [[1.0 + 1e-12, 5.0], [2.0 + 1e-12, 5.0]]);
+        assert!(shared.points().skip(2).eq(&[[1.0 + 1e-12, 5.0], [2.0 + 1e-12, 5.0]]));
     }
 
     #[test]
@@ -174,7 +218,7 @@ mod tests {
         let mut shared = SharedVertices::default();
         let mut add = |from: f64| -> f64 {
             assert!(shared.add_all(&[crowded(from)]).unwrap());
-            shared.points.last().unwrap()[0].log2().round()
+            shared.points().last().unwrap()[0].log2().round()
         };
         // Between 2^2 and the crowded point, which is at 2^200.
         let first = add(2f64.powi(201));
@@ -191,9 +235,33 @@ mod tests {
         let crowded = Crowded { segment: 7, x: [1.0, 0.0], ends: [[0.5, 0.0], [2.0, 0.0]] };
         let mut shared = SharedVertices::default();
         assert!(shared.add_all(&[crowded]).unwrap());
-        assert_eq!((shared.points.len(), shared.avoided.len()), (1, 0));
+        assert_eq!((shared.points().len(), shared.avoided.len()), (1, 0));
         assert!(shared.add_all(&[crowded]).unwrap());
         assert_eq!(shared.avoided, [(7, [0.5, 0.0]), (7, [2.0, 0.0])]);
         assert!(!shared.add_all(&[crowded]).unwrap());
+    }
+
+    #[test]
+    fn vertices_and_avoided_ones_are_found_in_any_order() {
+        let mut shared = SharedVertices::default();
+        let crowded = [5.0, -3.0, 0.0, 5.5, -4.0].map(|x| Crowded {
+            segment: (x + 9.0) as u32,
+            x: [x, 2.0 * x],
+            ends: [[x + 0.25, 1.0], [x + 64.0, -0.0]],
+        });
+        assert!(shared.add_all(&crowded).unwrap());
+        assert!(shared.add_all(&crowded).unwrap());
+        assert!(!shared.add_all(&crowded).unwrap());
+        for (number, x) in shared.points().enumerate() {
+            assert_eq!(shared.find(x), Some(number));
+            assert_eq!(shared.find(&x.map(|value| value.next_up().next_up())), None);
+        }
+        assert_eq!((shared.points().len(), shared.avoided.len()), (5, 10));
+        // Zeros of either sign are one.
+        assert_eq!((shared.find(&[-0.0, 0.0]), shared.find(&[-0.0, -0.0])), (Some(2), Some(2)));
+        for Crowded { segment, ends: [from, to], .. } in crowded {
+            assert!(shared.avoids(segment, &from) && shared.avoids(segment, &to.map(|x| x + 0.0)));
+            assert!(!shared.avoids(segment + 1, &from) && !shared.avoids(segment, &[from[0], 2.0]));
+        }
     }
 }

@@ -15,6 +15,7 @@ mod segments;
 mod shapes;
 mod sizes;
 mod solids;
+mod subsegments;
 mod tilings;
 
 use meshes::{Case, brute_force, by_hand, pairs, random_points, run};

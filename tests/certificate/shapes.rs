@@ -59,8 +59,8 @@ pub fn triangulated_cube() -> Solid {
     solid
 }
 
-/// Makes a grid of 5 x 4 x 4 cubes, of which 3 x 2 x 2 in the middle are the domain: two boxes that share
-/// a facet, with labels, a facet with a hole, another that hangs from a side, and a segment.
+/// Makes a grid of 5 x 4 x 4 cubes, of which 3 x 2 x 2 in the middle are the domain: two boxes that
+/// share a facet, with labels, a facet with a hole, another that hangs from a side, and a segment.
 pub fn boxes() -> Solid {
     let points = grid([6, 5, 5]);
     let v = |x: f64, y: f64, z: f64| at(&points, [x, y, z]);
@@ -99,8 +99,8 @@ fn split_sides(points: &[Point], facets: &mut [Vec<Vec<u32>>]) {
     facets[2].push(vec![v(3.0, 1.0, 1.0), v(3.0, 1.0, 2.0)]);
 }
 
-/// Makes a square at the height 1 with vertices in it and on its edges that are no inputs, and vertices
-/// off it in pairs that mirror each other.
+/// Makes a square at the height 1 with vertices in it and on its edges that are no inputs, and
+/// vertices off it in pairs that mirror each other.
 pub fn sheet() -> Solid {
     let mut random = crate::random::Random::new(5);
     let mut points = vec![[0.0, 0.0, 1.0], [4.0, 0.0, 1.0], [4.0, 4.0, 1.0], [0.0, 4.0, 1.0]];
@@ -153,8 +153,9 @@ pub fn wedge(degrees: f64, forced: &[u32]) -> Solid {
     solid
 }
 
-/// Makes a grid of `count` points a side on the surface of a cube, turned, so that its sides are plane up
-/// to rounding only, and flat simplices are on some of them. The domain is what is not flat.
+/// Makes a grid of `count` points a side on the surface of a cube, turned, so that its sides are
+/// plane up to rounding only, and flat simplices are on some of them. The domain is what is not
+/// flat.
 pub fn turned_cube(count: usize) -> Solid {
     let last = count - 1;
     let lattice: Vec<[usize; 3]> = (0..count.pow(3))

@@ -127,10 +127,10 @@ fn lines_through_nearly_one_point_meet_there() {
     assert!(refused.message().contains("cross near"), "{refused}");
 }
 
-/// Vertices that lines must share, each farther on than the last, come to where the lines are too far
-/// apart to share the next. The first of these stars needs one between, in the second a line goes on
-/// through vertices that it passes where it returns to its end. In the third many lines are crowded
-/// within some units, where one vertex at a time makes room.
+/// Vertices that lines must share, each farther on than the last, come to where the lines are too
+/// far apart to share the next. The first of these stars needs one between, in the second a line
+/// goes on through vertices that it passes where it returns to its end. In the third many lines are
+/// crowded within some units, where one vertex at a time makes room.
 #[test]
 fn lines_share_vertices_up_to_where_they_part() {
     let stars: [[Point; 16]; 3] = [
@@ -233,8 +233,8 @@ fn lines_at_a_sharp_angle_are_told_apart() {
     }
 }
 
-/// Two lines at a sharp angle end a unit apart, as shapely cuts arcs where they cross. Edges there are short
-/// in units of x, which y is finer than.
+/// Two lines at a sharp angle end a unit apart, as shapely cuts arcs where they cross. Edges there
+/// are short in units of x, which y is finer than.
 #[test]
 fn lines_that_end_a_unit_apart_are_told_apart() {
     let points: [Point; 4] = [

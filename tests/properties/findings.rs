@@ -196,8 +196,8 @@ fn a_hull_with_inputs_around_a_corner_goes_through_some() {
     }
 }
 
-/// Three segments from one point to ends that are 2^200 times smaller share vertices on the way. One
-/// was added at half of the rest for each run, and 64 runs were not enough.
+/// Three segments from one point to ends that are 2^200 times smaller share vertices on the way.
+/// One was added at half of the rest for each run, and 64 runs were not enough.
 #[test]
 fn segments_from_far_away_share_vertices_up_to_their_ends() {
     let points =

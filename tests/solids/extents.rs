@@ -1,4 +1,5 @@
-//! Boxes and hulls in space: the volume is exactly theirs, and everything on their boundary conforms.
+//! Boxes and hulls in space: the volume is exactly theirs, and everything on their boundary
+//! conforms.
 
 use super::{Point, Solid, assert_holds, bounded, cuboid, tilted, volume};
 use crate::random::Random;

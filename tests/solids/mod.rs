@@ -112,8 +112,8 @@ pub fn volume(mesh: &Triangulation) -> f64 {
     whole + lost
 }
 
-/// Fails if any simplex is excused from the bound: by a small angle of the input, or by doubles. The
-/// certificate keeps all others to it.
+/// Fails if any simplex is excused from the bound: by a small angle of the input, or by doubles.
+/// The certificate keeps all others to it.
 pub fn assert_none_excused(mesh: &Triangulation) {
     assert!(mesh.boundary.forced.is_empty(), "{} forced", mesh.boundary.forced.len());
     assert!(!mesh.precision_limited.contains(&true));

@@ -73,13 +73,13 @@ unsafe fn get<S, T>(
     })
 }
 
-/// Writes the ids of the vertices that this rank knows: local_vertices of them, first those of its own
-/// simplices (own_vertices), then those that only ghosts have, rising in both. The other arrays of
-/// vertices are in the same order.
+/// Writes the ids of the vertices that this rank knows: local_vertices of them, first those of its
+/// own simplices (own_vertices), then those that only ghosts have, rising in both. The other arrays
+/// of vertices are in the same order.
 ///
-/// The id of an input is its index among the inputs of all ranks, in the order of the ranks; of equal
-/// inputs that of the first. Vertices that are no inputs follow, from the number of inputs on: their
-/// ids do not depend on the ranks.
+/// The id of an input is its index among the inputs of all ranks, in the order of the ranks; of
+/// equal inputs that of the first. Vertices that are no inputs follow, from the number of inputs
+/// on: their ids do not depend on the ranks.
 ///
 /// Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT
 /// (buf not aligned).
@@ -94,8 +94,8 @@ pub unsafe extern "C" fn nm_mpi_get_vertex_ids(
     unsafe { get(mesh, buf, capacity, needed, |mesh| &mesh.vertex_ids, |_, value| *value) }
 }
 
-/// Writes the coordinates of the vertices that this rank knows: local_vertices x dim doubles, inputs with
-/// the bits that a rank has given.
+/// Writes the coordinates of the vertices that this rank knows: local_vertices x dim doubles,
+/// inputs with the bits that a rank has given.
 ///
 /// Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT
 /// (buf not aligned).
@@ -125,8 +125,8 @@ pub unsafe extern "C" fn nm_mpi_get_vertex_kinds(
     unsafe { get(mesh, buf, capacity, needed, |mesh| &mesh.kinds, |_, value| *value) }
 }
 
-/// Writes for each vertex that this rank knows its owner: the lowest of the ranks that have a simplex with
-/// it. So every vertex of the mesh has one owner.
+/// Writes for each vertex that this rank knows its owner: the lowest of the ranks that have a
+/// simplex with it. So every vertex of the mesh has one owner.
 ///
 /// Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT
 /// (buf not aligned).
@@ -141,8 +141,8 @@ pub unsafe extern "C" fn nm_mpi_get_vertex_owners(
     unsafe { get(mesh, buf, capacity, needed, |mesh| &mesh.vertex_owners, |_, value| *value) }
 }
 
-/// Writes for each vertex that this rank knows the id of the innermost domain that holds it, below domains;
-/// NM_MPI_NONE where there are none.
+/// Writes for each vertex that this rank knows the id of the innermost domain that holds it, below
+/// domains; NM_MPI_NONE where there are none.
 ///
 /// Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT
 /// (buf not aligned).
@@ -176,8 +176,9 @@ pub unsafe extern "C" fn nm_mpi_get_domains(
     }
 }
 
-/// Writes this rank's simplices: local_simplices x (dim + 1) ids of vertices, positively oriented. No other
-/// rank has them; all ranks' together are the mesh. The id of the i-th is first_simplex + i.
+/// Writes this rank's simplices: local_simplices x (dim + 1) ids of vertices, positively oriented.
+/// No other rank has them; all ranks' together are the mesh. The id of the i-th is first_simplex +
+/// i.
 ///
 /// Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT
 /// (buf not aligned).
@@ -192,8 +193,9 @@ pub unsafe extern "C" fn nm_mpi_get_simplices(
     unsafe { get(mesh, buf, capacity, needed, |mesh| &mesh.simplices, id_of) }
 }
 
-/// Writes the neighbours of this rank's simplices: local_simplices x (dim + 1) ids of simplices, the i-th
-/// opposite vertex i. An id that is not this rank's is that of a ghost. NM_MPI_NONE on the hull.
+/// Writes the neighbours of this rank's simplices: local_simplices x (dim + 1) ids of simplices,
+/// the i-th opposite vertex i. An id that is not this rank's is that of a ghost. NM_MPI_NONE on the
+/// hull.
 ///
 /// Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT
 /// (buf not aligned).
@@ -208,9 +210,9 @@ pub unsafe extern "C" fn nm_mpi_get_neighbors(
     unsafe { get(mesh, buf, capacity, needed, |mesh| &mesh.neighbors, |_, value| *value) }
 }
 
-/// Writes the ghosts: ghosts x (dim + 1) ids of vertices. They are the simplices of other ranks that
-/// share a vertex with one of this rank: with its own simplices they are the whole star of each of its
-/// vertices.
+/// Writes the ghosts: ghosts x (dim + 1) ids of vertices. They are the simplices of other ranks
+/// that share a vertex with one of this rank: with its own simplices they are the whole star of
+/// each of its vertices.
 ///
 /// Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT
 /// (buf not aligned).
@@ -255,8 +257,8 @@ pub unsafe extern "C" fn nm_mpi_get_ghost_owners(
     unsafe { get(mesh, buf, capacity, needed, |mesh| &mesh.ghosts, |_, ghost| ghost.owner) }
 }
 
-/// Writes the interface: interface_facets elements, by rising simplex and facet. The rank on the other
-/// side has each of them, too.
+/// Writes the interface: interface_facets elements, by rising simplex and facet. The rank on the
+/// other side has each of them, too.
 ///
 /// Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT
 /// (buf not aligned).

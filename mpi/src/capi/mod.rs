@@ -1,5 +1,6 @@
 //! The C ABI: what `include/netmesh_mpi.h` declares, made from this module by cbindgen, but for
-//! `nm_mpi_run`, which only C can declare. The documentation of the items is the C programmer's manual.
+//! `nm_mpi_run`, which only C can declare. The documentation of the items is the C programmer's
+//! manual.
 //!
 //! Every function relies on what the header asks of its callers, and on nothing else, as in the
 //! core's ABI.

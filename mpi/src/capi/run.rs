@@ -41,8 +41,8 @@ pub unsafe extern "C" fn nm_mpi_last_error(buf: *mut c_char, cap: usize) -> usiz
     unsafe { netmesh::capi::nm_last_error(buf, cap) }
 }
 
-/// Frees a mesh, and the communicator that it talks through; NULL is allowed. Before MPI_Finalize it is
-/// collective, after it is not.
+/// Frees a mesh, and the communicator that it talks through; NULL is allowed. Before MPI_Finalize
+/// it is collective, after it is not.
 /// cbindgen:prefix=NM_API
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn nm_mpi_mesh_free(mesh: *mut nm_mpi_mesh) {

@@ -11,8 +11,8 @@ use netmesh::capi::shared::{OutStruct, barrier};
 use std::ffi::c_char;
 
 /// Checks the mesh of all ranks from the coordinates, simplices and ghosts that they have alone,
-/// independently of the code that made it and with exact signs. Collective. NM_OK means that the check
-/// ran; what it found is in report, the same on all ranks.
+/// independently of the code that made it and with exact signs. Collective. NM_OK means that the
+/// check ran; what it found is in report, the same on all ranks.
 ///
 /// level, the same on all ranks: 1 topology (ids; neighbours share the facets that they name,
 /// across ranks too; a ghost is what its owner has, and none is missing; all ranks have the same of
@@ -31,8 +31,8 @@ use std::ffi::c_char;
 /// report: of the rank; the caller sets struct_size.
 ///
 /// Errors, the same on all ranks: NM_NULL_ARGUMENT (mesh, report), NM_INVALID_ARGUMENT (level, also
-/// where it differs between ranks; report->struct_size), NM_OUT_OF_MEMORY, NM_IO (MPI failed), NM_STATE
-/// (an earlier call on the mesh has failed), NM_PANIC.
+/// where it differs between ranks; report->struct_size), NM_OUT_OF_MEMORY, NM_IO (MPI failed),
+/// NM_STATE (an earlier call on the mesh has failed), NM_PANIC.
 ///
 /// A NULL for mesh is told to this rank alone: without it there is nothing to talk through.
 ///

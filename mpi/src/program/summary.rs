@@ -49,7 +49,8 @@ pub fn print(
     let mut text = format!(
         "input       {}: {inputs} points in {dim}D, {duplicates} duplicates\n\
          task        {task} on {ranks} ranks, seed {seed}\n\
-         mesh        {vertices} vertices\n            {all_simplices} simplices, {domains} domains, {pieces} pieces\n\
+         mesh        {vertices} vertices\n            \
+         {all_simplices} simplices, {domains} domains, {pieces} pieces\n\
          ranks       {simplices} simplices and {ghosts} ghosts at most\n            \
          sent {sent} bytes, {bytes} by one at most\n\
          work        {} for partitions by one rank at most, {} by each on average\n\

@@ -1,6 +1,6 @@
-//! The guard of the boundary in space: what a simplex may ask to be split. Beside small angles of the
-//! input, pieces of the boundary that are small beside the simplex would be split for ever: each
-//! would ask for the next.
+//! The guard of the boundary in space: what a simplex may ask to be split. Beside small angles of
+//! the input, pieces of the boundary that are small beside the simplex would be split for ever:
+//! each would ask for the next.
 
 use crate::complex::{SimplexId, VertexId};
 use crate::memory::AllocResult;
@@ -12,9 +12,18 @@ use crate::numerics::{distance, shortest_distance};
 /// edge, is as large as this.
 const GUARD: f64 = 0.7;
 
-/// Radius about an end of sharp lines in which nothing is split for a simplex, relative to the local
-/// feature size there.
+/// Radius about an end of sharp lines in which nothing is split for a simplex, relative to the
+/// local feature size there.
 const OF_FEATURE: f64 = 0.25;
+
+/// Subsegment of a sharp line, or subfacet of a facet that has one, as the guard judges it.
+struct SharpPart {
+    /// Centre of its smallest ball, or of its circle.
+    center: [f64; 3],
+    radius: f64,
+    /// Radius from which on a simplex may ask for a split once more at the end.
+    floor: f64,
+}
 
 impl<const D: usize> State<D> {
     /// Returns true unless a subsegment is of a sharp line, and `guard` keeps it.
@@ -31,21 +40,11 @@ impl State<3> {
             return Ok(true);
         }
         let [a, b] = own.ends.map(|end| self.delaunay.point(end));
-        let half = 0.5 * distance(a, b);
-        let is_admitted = guard.admits(half, self.facets.floors.of_line(own.line));
-        if !is_admitted || !matches!(guard, Guard::Usual { .. }) {
-            return Ok(is_admitted);
-        }
-        let middle = std::array::from_fn(|k| 0.5 * a[k] + 0.5 * b[k]);
+        let center = std::array::from_fn(|k| 0.5 * a[k] + 0.5 * b[k]);
+        let floor = self.facets.floors.of_line(own.line);
+        let part = SharpPart { center, radius: 0.5 * distance(a, b), floor };
         let ends = self.segments.chains.lines[own.line as usize].ends;
-        Ok(!(self.is_protected(ends[0], &middle)? || self.is_protected(ends[1], &middle)?))
-    }
-
-    /// Returns true if `x` is so near to an end of sharp lines that nothing is split there for a
-    /// simplex: what is around two facets that meet at a small angle just there would be split again
-    /// for the next simplices, ever nearer to the end.
-    fn is_protected(&mut self, end: VertexId, x: &[f64; 3]) -> AllocResult<bool> {
-        Ok(distance(self.delaunay.point(end), x) < OF_FEATURE * self.feature_size(end)?)
+        self.admits(guard, &part, |_, at| ends.get(at).copied())
     }
 
     /// Returns true if a guard lets a subfacet be split.
@@ -55,21 +54,40 @@ impl State<3> {
             return Ok(true);
         }
         let (center, radius) = self.circle_of(subfacet);
-        let is_admitted = guard.admits(radius, self.facets.floors.of_facet(facet));
+        let part = SharpPart { center, radius, floor: self.facets.floors.of_facet(facet) };
+        self.admits(guard, &part, |state, at| {
+            let end = state.facets.sharp_ends(facet).get(at)?;
+            Some(VertexId::new(*end as usize))
+        })
+    }
+
+    /// Returns true if a guard lets a part be split of a facet or line that has these ends of sharp
+    /// lines: it is large enough, and not so near to one of them that nothing is split there for a
+    /// simplex. The simplices around two facets that meet at a small angle just there would be
+    /// split again for the next, ever nearer to the end.
+    fn admits(
+        &mut self,
+        guard: Guard,
+        part: &SharpPart,
+        end: impl Fn(&Self, usize) -> Option<VertexId>,
+    ) -> AllocResult<bool> {
+        let is_admitted = guard.admits(part.radius, part.floor);
         if !is_admitted || !matches!(guard, Guard::Usual { .. }) {
             return Ok(is_admitted);
         }
-        for at in 0..self.facets.sharp_ends(facet).len() {
-            let end = VertexId::new(self.facets.sharp_ends(facet)[at] as usize);
-            if self.is_protected(end, &center)? {
+        let mut at = 0;
+        while let Some(end) = end(self, at) {
+            let protected = OF_FEATURE * self.feature_size(end)?;
+            if distance(self.delaunay.point(end), &part.center) < protected {
                 return Ok(false);
             }
+            at += 1;
         }
         Ok(true)
     }
 
-    /// Returns true if a vertex in a subfacet crosses what the guard keeps of other facets, among the
-    /// subfacets near it: those would have to be split for it.
+    /// Returns true if a vertex in a subfacet crosses what the guard keeps of other facets, among
+    /// the subfacets near it: those would have to be split for it.
     pub(super) fn crosses_protected(&mut self, subfacet: u32, guard: Guard) -> AllocResult<bool> {
         if matches!(guard, Guard::Open) {
             return Ok(false);
@@ -85,8 +103,8 @@ impl State<3> {
         Ok(false)
     }
 
-    /// Keeps those of the encroached subsegments and subfacets that the guard lets a simplex split, and
-    /// returns the guard.
+    /// Keeps those of the encroached subsegments and subfacets that the guard lets a simplex split,
+    /// and returns the guard.
     pub(super) fn keep_large(&mut self, simplex: SimplexId) -> AllocResult<Guard> {
         let vertices = self.delaunay.complex().vertices(simplex);
         let points: [&[f64; 3]; 4] = std::array::from_fn(|at| self.delaunay.point(vertices[at]));
@@ -102,8 +120,8 @@ impl State<3> {
         Ok(guard)
     }
 
-    /// Lets simplices that were kept at no small angle ask once more for splits, of parts down to the
-    /// floors that are set now. False if there are none, or it was done before.
+    /// Lets simplices that were kept at no small angle ask once more for splits, of parts down to
+    /// the floors that are set now. False if there are none, or it was done before.
     pub(in crate::netmesh) fn lower_guard(&mut self) -> AllocResult<bool> {
         if self.facets.is_empty() || self.facets.floors.are_set() {
             return Ok(false);

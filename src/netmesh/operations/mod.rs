@@ -14,9 +14,9 @@
 //! - `release`: RELEASECAGE, and OUTENCROACH.
 //! - `cage`: NEWCAGE and GROWCAGE.
 //! - `insert_input`: INSERTINPUT.
-//! - `recover`: subsegments are split until they are edges; `recover_facets`: subfacets, until they are
-//!   faces; `recover_boundary`: both, and what a Steiner point would encroach, as far as the `guard`
-//!   lets it be split.
+//! - `recover`: subsegments are split until they are edges; `recover_facets`: subfacets, until they
+//!   are faces; `recover_boundary`: both, and what a Steiner point would encroach, as far as the
+//!   `guard` lets it be split.
 //! - `yielding_insert`: YIELDINGINSERT of a Steiner point.
 //! - `cage_gap`: a gap between the vertices of a cage is narrowed.
 //! - `clean`: CLEAN.

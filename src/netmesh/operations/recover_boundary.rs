@@ -94,9 +94,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(if is_split { Encroachment::Split } else { Encroachment::Refused })
     }
 
-    /// Splits the first that can be split of some subsegments and subfacets, or a part of them where
-    /// there are many: most of the others are encroached no more then. False if doubles or the guard
-    /// let none be split.
+    /// Splits the first that can be split of some subsegments and subfacets, or a part of them
+    /// where there are many: most of the others are encroached no more then. False if doubles or
+    /// the guard let none be split.
     fn split_some_of(
         &mut self,
         near: &NearBoundary,

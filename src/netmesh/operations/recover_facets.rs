@@ -59,8 +59,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(None)
     }
 
-    /// Splits a part of the boundary; false where doubles have no room for a vertex on it, or where a
-    /// subsegment would have to be split that `guard` keeps.
+    /// Splits a part of the boundary; false where doubles have no room for a vertex on it, or where
+    /// a subsegment would have to be split that `guard` keeps.
     pub(super) fn split_boundary(
         &mut self,
         split: Split,
@@ -75,8 +75,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
     }
 
-    /// Inserts a vertex at `x` into a facet, or splits the subsegments that it would encroach; false
-    /// where doubles have no room for either, or `guard` keeps such a subsegment.
+    /// Inserts a vertex at `x` into a facet, or splits the subsegments that it would encroach;
+    /// false where doubles have no room for either, or `guard` keeps such a subsegment.
     fn split_subfacet(
         &mut self,
         subfacet: u32,
@@ -160,8 +160,8 @@ impl State<3> {
         Ok(false)
     }
 
-    /// Returns what is to be split for a subfacet: a subsegment that is between it and the centre of
-    /// its circle, or that the centre encroaches, or the subfacet itself at the centre.
+    /// Returns what is to be split for a subfacet: a subsegment that is between it and the centre
+    /// of its circle, or that the centre encroaches, or the subfacet itself at the centre.
     pub(super) fn split_for(&mut self, subfacet: u32) -> AllocResult<Split> {
         let (center, _) = self.circle_of(subfacet);
         let x = self.facets.plane_of(subfacet).at(&center);

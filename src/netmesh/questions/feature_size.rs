@@ -1,5 +1,5 @@
-//! The distance from an end of lines to the nearest vertex, line or facet of the input that does not
-//! go through it: the local feature size there, but for the lines and facets at that end.
+//! The distance from an end of lines to the nearest vertex, line or facet of the input that does
+//! not go through it: the local feature size there, but for the lines and facets at that end.
 
 use crate::complex::{SimplexId, VertexId};
 use crate::memory::{AllocResult, TryGrow};
@@ -8,8 +8,8 @@ use crate::netmesh::state::facets::faces::{EDGES, FACES};
 use crate::numerics::{distance, distance_to_edge, distance_to_triangle};
 
 impl State<3> {
-    /// Returns the local feature size at an end of lines in a mesh that conforms to the boundary. It
-    /// is searched for once for each end. The marks of earlier searches are gone.
+    /// Returns the local feature size at an end of lines in a mesh that conforms to the boundary.
+    /// It is searched for once for each end. The marks of earlier searches are gone.
     pub(in crate::netmesh) fn feature_size(&mut self, end: VertexId) -> AllocResult<f64> {
         if let Some(known) = self.facets.feature_size(end) {
             return Ok(known);
@@ -52,8 +52,8 @@ impl State<3> {
         Ok(least)
     }
 
-    /// Returns the distance from an end of lines to the nearest vertex, edge or face of a simplex that
-    /// is a part of the input and of no line or facet at that end; infinite without any.
+    /// Returns the distance from an end of lines to the nearest vertex, edge or face of a simplex
+    /// that is a part of the input and of no line or facet at that end; infinite without any.
     fn feature_in(&self, simplex: SimplexId, end: VertexId) -> f64 {
         let vertices = self.delaunay.complex().vertices(simplex);
         let x = self.delaunay.point(end);

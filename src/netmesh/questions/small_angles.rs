@@ -1,5 +1,5 @@
-//! Small angles of the input in space. Facets and segments that meet at one have vertices as near to
-//! each other as the angle makes them. A simplex whose shortest edge is between two of these is
+//! Small angles of the input in space. Facets and segments that meet at one have vertices as near
+//! to each other as the angle makes them. A simplex whose shortest edge is between two of these is
 //! forced: to refine it would make the next one, nearer to where they meet (G. L. Miller, S. E. Pav
 //! and N. J. Walkington, "When and why Delaunay refinement algorithms work", 2005).
 
@@ -56,8 +56,8 @@ impl State<3> {
         })
     }
 
-    /// Returns true if two vertices are on facets or segments that meet at a small angle, and on none
-    /// that has both.
+    /// Returns true if two vertices are on facets or segments that meet at a small angle, and on
+    /// none that has both.
     fn spans_small_angle(&self, [u, v]: [VertexId; 2], small: [f64; 2]) -> bool {
         let chains = &self.segments.chains;
         if let (Some(first), Some(second)) = (chains.line_through(u), chains.line_through(v)) {

@@ -67,8 +67,8 @@ impl Mesher<'_, '_, 3> {
         self.ask_size_again(vertex)
     }
 
-    /// Inserts a vertex into `slivers.cavity`, which crosses no facet: what it makes is in the region
-    /// of what was there.
+    /// Inserts a vertex into `slivers.cavity`, which crosses no facet: what it makes is in the
+    /// region of what was there.
     pub(super) fn fill_cavity(&mut self, vertex: VertexId, slivers: &Slivers) -> Result<()> {
         let created = &mut self.scratch.created;
         self.state.note_insertion_off_segments(&slivers.cavity)?;

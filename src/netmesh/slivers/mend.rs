@@ -141,8 +141,8 @@ impl Mesher<'_, '_, 3> {
         Ok(())
     }
 
-    /// Takes every sliver that was left, with `effort`. Returns whether any was mended. Where a small
-    /// angle of the input forces one, only the least effort is worth it.
+    /// Takes every sliver that was left, with `effort`. Returns whether any was mended. Where a
+    /// small angle of the input forces one, only the least effort is worth it.
     fn mend_failed(&mut self, effort: u32, slivers: &mut Slivers) -> Result<bool> {
         let mut any = false;
         for sliver in slivers.queue.take_failed() {

@@ -1,7 +1,7 @@
 //! Sizes below which nothing of a sharp facet or line is split for a simplex at no small angle.
 //! While refinement goes on a simplex may ask for a split only of what is about as large as itself:
-//! without that guard small pieces ask for smaller ones for ever beside small angles. What it leaves
-//! bad at no small angle may ask once more at the end, for all but what is much smaller than
+//! without that guard small pieces ask for smaller ones for ever beside small angles. What it
+//! leaves bad at no small angle may ask once more at the end, for all but what is much smaller than
 //! everything there was. So it ends, since no vertex comes nearer to others than that.
 
 use crate::memory::{AllocResult, filled};

@@ -19,6 +19,7 @@ mod header;
 mod high_dimensions;
 mod instruments;
 mod least_bounds;
+mod messages;
 mod odd_files;
 mod option_views;
 mod pages;

@@ -20,6 +20,7 @@ mod high_dimensions;
 mod instruments;
 mod least_bounds;
 mod lengths;
+mod messages;
 mod odd_files;
 mod option_views;
 mod pages;

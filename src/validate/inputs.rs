@@ -17,7 +17,7 @@ pub(super) fn check(inputs: &Inputs, mesh: &Triangulation, findings: &mut Findin
         findings.check((kind == VertexKind::Input) == is_input, || {
             let count = inputs.distinct();
             let message =
-                message!("vertex {v} is of kind {kind:?}, but the inputs are vertices 0..{count}");
+                message!("vertex {v} is of kind {kind:?}, but the first {count} are the inputs");
             Violation::new(ViolationKind::VertexKind, message).vertex(v)
         });
     }

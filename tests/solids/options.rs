@@ -1,6 +1,7 @@
 //! Options that go with facets, and those that do not.
 
 use super::{bounded, cuboid};
+use netmesh::Region;
 use netmesh::error::ErrorKind;
 use netmesh::options::{Extent, Interior, Options, Output};
 
@@ -53,7 +54,22 @@ fn open_surfaces_enclose_nothing() {
         let options = Options { interior, ..inside.clone() };
         let error = solid.mesh().run(&options, None).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::InvalidArgument, "{error}");
+        assert!(error.message().starts_with("facets enclose nothing, with "), "{error}");
     }
+}
+
+#[test]
+fn messages_on_seeds_in_space_speak_of_facets() {
+    let refused = |seeds: &[[f64; 3]]| {
+        let mut solid = cuboid([0.0; 3], [1.0; 3]);
+        solid.regions = seeds.iter().map(|&seed| Region { seed, ..Region::default() }).collect();
+        let error = solid.mesh().run(&Options::default(), None).unwrap_err();
+        error.message().to_owned()
+    };
+    let outside = refused(&[[9.0; 3]]);
+    assert!(outside.contains("outside of all that facets enclose"), "{outside}");
+    let same = refused(&[[0.25, 0.5, 0.5], [0.75, 0.5, 0.5]]);
+    assert!(same.contains("; no facet is between them"), "{same}");
 }
 
 #[test]

@@ -67,7 +67,7 @@ fn decode_format(raw: MaybeUninit<nm_mpi_format>) -> Result<Format> {
         .into_iter()
         .find(|format| *format as i32 == value)
         .ok_or_else(|| {
-            let message = format!("format is {value}; it must be in 0..=2");
+            let message = format!("format is {value}; it must be one of nm_mpi_format, 0 to 2");
             Error::invalid(message)
         })
 }

@@ -140,7 +140,8 @@ static void exports(const cloud *points, const double *own, const char *director
     expect_same(nm_mpi_export(mesh, "mesh.off", NM_MPI_FORMAT_AUTO), NM_INVALID_ARGUMENT, "extension");
     expect_same(nm_mpi_export(mesh, rank == ranks - 1 ? NULL : "mesh.pvtu", NM_MPI_FORMAT_AUTO),
                 NM_NULL_ARGUMENT, "path_utf8 is NULL");
-    expect_same(nm_mpi_export(mesh, "mesh.pvtu", (nm_mpi_format)7), NM_INVALID_ARGUMENT, "format is 7");
+    expect_same(nm_mpi_export(mesh, "mesh.pvtu", (nm_mpi_format)7), NM_INVALID_ARGUMENT,
+                "format is 7; it must be one of nm_mpi_format, 0 to 2");
     for (int format = 0; format < 2; format++) {
         const char *name = format == 0 ? "mesh.pvtu" : "mesh.npy";
         snprintf(path, sizeof path, "%s/absent/%s", directory, name);

@@ -173,7 +173,7 @@ impl Block {
         let [dim, _, parametric, nodes] = counts;
         if dim > 3 || parametric > 1 {
             let message =
-                "a block of nodes begins with: dimension (0..=3) tag parametric (0 or 1) nodes";
+                "a block of nodes begins with: dimension (0 to 3) tag parametric (0 or 1) nodes";
             return Err(line.error(message));
         }
         Ok(Self { nodes, columns: 3 + (dim * parametric) as usize })

@@ -21,7 +21,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(in crate::netmesh) fn judge_regions(&mut self, seeds: &[Region]) -> Result<()> {
         let count = self.state.segments.regions.len();
         let mut is_inside = self.state.enclosed_regions()?;
-        self.state.refuse_nothing(&is_inside, "segments enclose nothing")?;
+        let open = if D == 3 { "facets enclose nothing" } else { "segments enclose nothing" };
+        self.state.refuse_nothing(&is_inside, open)?;
         self.find_seeds(seeds, &is_inside)?;
         let mut labels = filled(count, 0)?;
         let mut max_edges = filled(count, f64::INFINITY)?;
@@ -60,13 +61,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 region = known.expect("all regions are known");
             }
             self.state.refuse_outside(number, seed, region, is_enclosed[region as usize])?;
+            let wall = wall::<D>();
             let earlier = std::mem::replace(&mut seed_of[region as usize], number);
             if earlier != NONE {
                 return refuse(say!(
                     Name::Seed(number),
                     " is in the same region as ",
                     Name::Seed(earlier),
-                    "; no segment is between them, and a region must have one seed at most"
+                    "; no {wall} is between them, and a region must have one seed at most"
                 ));
             }
             let found = Seed { number, x: seed.seed, region };
@@ -87,7 +89,7 @@ impl<const D: usize> State<D> {
         is_enclosed: bool,
     ) -> Result<()> {
         let Parameters { extent, interior, .. } = self.parameters;
-        let x = At(&seed.seed[..D]);
+        let (x, wall) = (At(&seed.seed[..D]), wall::<D>());
         if is_enclosed || seed.is_hole && region != OUTSIDE {
             return Ok(());
         }
@@ -95,7 +97,7 @@ impl<const D: usize> State<D> {
         let must = "it must be in a region of the domain";
         refuse(match (extent, region) {
             (Extent::Boundary, OUTSIDE) => {
-                say!(seed, " is {x}, outside of all that segments enclose; {must}")
+                say!(seed, " is {x}, outside of all that {wall}s enclose; {must}")
             }
             (Extent::Boundary, _) => say!(
                 seed,
@@ -147,9 +149,10 @@ impl<const D: usize> State<D> {
             near = simplex;
             self.refuse_on_segment(seed.number, &x, simplex)?;
             if segments.regions.of(simplex) != Some(seed.region) {
+                let wall = wall::<D>();
                 return refuse(say!(
                     Name::Seed(seed.number),
-                    " is within a rounding of a segment; it must be in the interior of a region"
+                    " is within a rounding of a {wall}; it must be in the interior of a region"
                 ));
             }
         }
@@ -204,6 +207,11 @@ impl State<3> {
         let facet = face.map(|(subfacet, _)| self.facets.get(subfacet).facet);
         facet.map(|facet| message!("facets[{}]", self.facets.facets[facet as usize].parent).into())
     }
+}
+
+/// Returns the word for what bounds regions.
+const fn wall<const D: usize>() -> &'static str {
+    if D == 3 { "facet" } else { "segment" }
 }
 
 fn refuse(message: Message) -> Result<()> {

@@ -368,8 +368,8 @@ enum nm_format
      */
     NM_FORMAT_SMESH = 15,
     /**
-     * Stereolithography's triangles, as text or binary data, read only (.stl). Equal corners are one
-     * point; the marker of a triangle is the number of its solid, from 1.
+     * Stereolithography's triangles, as text or binary data, read only (.stl). Equal corners are
+     * one point; the marker of a triangle is the number of its solid, from 1.
      */
     NM_FORMAT_STL = 16,
     /**

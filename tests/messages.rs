@@ -6,7 +6,8 @@ use std::fs;
 /// Folders whose sources make messages.
 const FOLDERS: [&str; 4] = ["src", "cli/src", "mpi/src", "python/src"];
 
-/// Returns the texts between quotes in a source, each with the number of its line. Comments have none.
+/// Returns the texts between quotes in a source, each with the number of its line. Comments have
+/// none.
 fn texts(source: &str) -> Vec<(usize, &str)> {
     let mut found = Vec::new();
     let mut at = 0;

@@ -51,8 +51,8 @@ pub enum Format {
     Wkt = 14,
     /// TetGen's points, facets of one polygon each, holes and regions, read only (.smesh).
     Smesh = 15,
-    /// Stereolithography's triangles, as text or binary data, read only (.stl). Equal corners are one
-    /// point; the marker of a triangle is the number of its solid, from 1.
+    /// Stereolithography's triangles, as text or binary data, read only (.stl). Equal corners are
+    /// one point; the marker of a triangle is the number of its solid, from 1.
     Stl = 16,
     /// Wavefront's points, polygons and lines, read only (.obj). Markers are the numbers of groups,
     /// from 1 by the order of their first names, and 0 before any.

@@ -1,7 +1,7 @@
 //! Findings of the fuzz targets, each as a test of its own. The inputs are in the corpus too.
 
 use netmesh::validate::{validate, validate_mesh};
-use netmesh::{Crossings, ErrorKind, Extent, Mesh, Options, Output};
+use netmesh::{Criterion, Crossings, ErrorKind, Extent, Mesh, Options, Output};
 use std::time::{Duration, Instant};
 
 fn certify(dim: usize, points: &[f64], options: &Options) {
@@ -208,4 +208,35 @@ fn segments_from_far_away_share_vertices_up_to_their_ends() {
     let error = mesh.run(&options, None).unwrap_err();
     // The gap between them is a fraction of 1e-12 of their length where doubles tell them apart.
     assert!(error.message().starts_with("options.max_vertices is 1200"), "{error}");
+}
+
+/// An edge of the triangle bends through an input that is two units beside its plane, and is split
+/// between that and its end.
+#[test]
+fn edges_of_facets_bend_through_inputs_beside_their_plane() {
+    let units = [
+        [64, 402_653_184, 8192],
+        [4_294_967_296, 262_144, 262_144],
+        [1024, 50_331_648, 163_840],
+        [224, 1_342_177_280, -8_388_608],
+        [512, 64, -2],
+        [0, 0, 0],
+        [-4, 0, 1_073_741_824],
+    ];
+    let start = f64::from_bits(0x3ff9_d770_1900_0007);
+    let points = units.map(|x: [i64; 3]| x.map(|steps| start + steps as f64 * f64::EPSILON));
+    let mut mesh = Mesh::new(3, points.len(), points.as_flattened(), 0).unwrap();
+    mesh.set_triangles(&[1, 2, 5], None).unwrap();
+    let options = Options {
+        criterion: Criterion::RadiusEdge,
+        quality_bound: f64::INFINITY,
+        max_vertices: 2000,
+        seed: 159,
+        ..Options::default()
+    };
+    mesh.run(&options, None).unwrap();
+    let result = mesh.triangulation().unwrap();
+    assert!(result.boundary.subsegments.len() > 4, "{}", result.boundary.subsegments.len());
+    let report = validate_mesh(&mesh, 3).unwrap();
+    assert_eq!((report.level, report.violations), (3, 0), "{:?}", report.first);
 }

@@ -82,7 +82,11 @@ impl Frame {
         };
         let Hull { triangles, outside } = hull;
         let firsts = match roles {
-            Some(_) => merged(points, &triangles, &filled(triangles.len(), 0)?, 0.0, poll)?,
+            Some(_) => {
+                let (markers, origins) =
+                    (filled(triangles.len(), 0)?, collected(0..triangles.len() as u32)?);
+                merged(points, &triangles, &markers, &origins, 0.0, poll)?
+            }
             None => exactly_plane(points, &triangles)?,
         };
         let (mut count, mut numbers) = (0, filled(triangles.len(), NONE)?);

@@ -17,16 +17,19 @@ const WORK: u32 = 2;
 /// Returns for each triangle the first triangle of its facet. Triangles are of one facet if a way
 /// leads from one to the other over edges at which they bend by at most `coplanar` degrees (0: by
 /// no more than rounding explains), and if none is turned by more from the one that the facet grew
-/// from. Facets grow from their first triangles, or with an angle from their largest. O(n log n).
+/// from. Parts of one triangle, which go through inputs beside it, are of one facet whatever their
+/// angle: triangle -> `origins` tells the caller's one. Facets grow from their first triangles, or
+/// with an angle from their largest. O(n log n).
 pub(super) fn merged(
     points: &[[f64; 3]],
     triangles: &[[u32; 3]],
     markers: &[i32],
+    origins: &[u32],
     coplanar: f64,
     poll: Poll<'_>,
 ) -> Result<Vec<u32>> {
     let sine = sine_of(coplanar);
-    let neighbors = flat_neighbors(points, triangles, markers, sine, poll)?;
+    let neighbors = flat_neighbors(points, triangles, markers, origins, sine, poll)?;
     let corners = |triangle: u32| triangles[triangle as usize].map(|v| &points[v as usize]);
     let size = |triangle: u32| {
         let (normal, exponent) = normalized(normal(corners(triangle)));
@@ -49,7 +52,8 @@ pub(super) fn merged(
         while let Some(triangle) = waiting.pop_front() {
             members.try_push(triangle)?;
             for &next in neighbors.of(triangle as usize) {
-                if facets[next as usize] == NONE && frame.contains(corners(next)) {
+                let is_part = origins[triangle as usize] == origins[next as usize];
+                if facets[next as usize] == NONE && frame.contains(corners(next), is_part) {
                     facets[next as usize] = seed;
                     enqueue(&mut waiting, next)?;
                 }
@@ -83,15 +87,15 @@ impl Frame {
     }
 
     /// Returns true if a triangle turns as the facet does in its projection, exactly, and is not
-    /// turned from its plane by more than the angle.
-    fn contains(&self, corners: [&[f64; 3]; 3]) -> bool {
+    /// turned from its plane by more than the angle, or is a part of one in it.
+    fn contains(&self, corners: [&[f64; 3]; 3], is_part: bool) -> bool {
         let turn = self.projection.turn(corners);
         let is_alike = if self.is_positive { turn.is_positive() } else { turn.is_negative() };
-        is_alike
-            && self.normal.is_none_or(|normal| {
-                let other = unit_normal(corners);
-                (0..3).map(|k| normal[k] * other[k]).sum::<f64>() >= self.cosine
-            })
+        let is_turned = |normal: [f64; 3]| {
+            let other = unit_normal(corners);
+            (0..3).map(|k| normal[k] * other[k]).sum::<f64>() < self.cosine
+        };
+        is_alike && (is_part || !self.normal.is_some_and(is_turned))
     }
 }
 
@@ -101,11 +105,13 @@ fn unit_normal(corners: [&[f64; 3]; 3]) -> [f64; 3] {
     normal.map(|x| x / length)
 }
 
-/// Returns for each triangle those beyond an edge at which the two are flat and have one marker.
+/// Returns for each triangle those beyond an edge at which the two are flat and have one marker, or
+/// are parts of one.
 fn flat_neighbors(
     points: &[[f64; 3]],
     triangles: &[[u32; 3]],
     markers: &[i32],
+    origins: &[u32],
     sine: f64,
     poll: Poll<'_>,
 ) -> Result<Lists> {
@@ -121,7 +127,9 @@ fn flat_neighbors(
                 let [t, u] = [one, other].map(|side| side.triangle);
                 let are_alike = markers[t as usize] == markers[u as usize];
                 let hinge = Hinge { edge: edge.map(point), apexes: [c, d].map(point) };
-                if edge == [from, to] && are_alike && hinge.is_flat(sine) {
+                let are_parts = origins[t as usize] == origins[u as usize];
+                let are_flat = are_parts || are_alike && hinge.is_flat(sine);
+                if edge == [from, to] && are_flat {
                     pairs.try_push([t, u])?;
                 }
             }

@@ -177,7 +177,7 @@ fn add_surface(
     let own = pieces.iter().filter(|piece| piece.triangle().is_some());
     let of = collected(own.filter_map(Piece::facet))?;
     let markers = collected(of.iter().map(|&facet| task.facets.markers[facet as usize]))?;
-    let firsts = merge::merged(points, &triangles, &markers, task.coplanar, poll)?;
+    let firsts = merge::merged(points, &triangles, &markers, &of, task.coplanar, poll)?;
     let mut numbers = filled(triangles.len(), NONE)?;
     for (triangle, &first) in firsts.iter().enumerate().filter(|&(at, &first)| at == first as usize)
     {

@@ -7,7 +7,8 @@
 //! merging of triangles gave it. Any other vertex on the facet is between these planes or beyond
 //! them by at most one unit in the last place of the facet's largest coordinate on each axis; half
 //! a unit is from rounding it, and the other half from how the builder comes to its place. Inputs
-//! that are near the facet without being among its own may be as far as those near a segment.
+//! that are near the facet without being among its own may be as far as those near a segment, and
+//! so may vertices of a segment, which may bend through such an input.
 
 use super::super::chains::BENT;
 use super::super::exact::unit_in_last_place;
@@ -171,7 +172,8 @@ pub(super) fn check(
     let mut wide = Slab { low: slab.low.clone(), high: slab.high.clone() };
     wide.widen(normal, &units.map(|unit| (BENT - ROUNDED) * unit));
     for vertex in vertices {
-        let limit = if ways.is_input(vertex) { &wide } else { &slab };
+        let is_bent = ways.is_input(vertex) || ways.is_on_chain(vertex);
+        let limit = if is_bent { &wide } else { &slab };
         findings.check(limit.holds(normal, ways.view.point(vertex)), || {
             let message = message!(
                 "vertex {vertex} on {} is farther from its plane than rounding makes it",

@@ -25,6 +25,8 @@ pub(super) struct Ways<'a> {
     is_covered: Vec<bool>,
     /// Subsegment -> the first segment of the caller's whose chain has it, or [`NONE`].
     owners: Vec<u32>,
+    /// Vertex -> true if it is an end of a subsegment.
+    is_on_chain: Vec<bool>,
 }
 
 impl<'a> Ways<'a> {
@@ -32,7 +34,15 @@ impl<'a> Ways<'a> {
         let count = view.mesh.boundary.subsegments.len();
         let chains = Chains::new(view, &faces.at)?;
         let (is_covered, owners) = (filled(count, false)?, filled(count, NONE)?);
-        Ok(Self { view, faces, inputs, chains, path: Vec::new(), is_covered, owners })
+        let mut is_on_chain = filled(view.mesh.vertex_count(), false)?;
+        let ends = view.mesh.boundary.subsegments.iter().flatten();
+        ends.for_each(|&vertex| is_on_chain[vertex as usize] = true);
+        Ok(Self { view, faces, inputs, chains, path: Vec::new(), is_covered, owners, is_on_chain })
+    }
+
+    /// Returns true if a vertex is on a segment, or on an edge of a facet.
+    pub fn is_on_chain(&self, vertex: u32) -> bool {
+        self.is_on_chain[vertex as usize]
     }
 
     pub fn is_input(&self, vertex: u32) -> bool {

@@ -217,7 +217,8 @@ fn surface_at(path: &Path) -> Option<Error> {
     let extension = path.extension()?.to_str()?.to_ascii_lowercase();
     let (_, name) = SURFACES.iter().find(|(known, _)| *known == extension)?;
     let message = message!(
-        "{}: {name} is a surface in a format that is not read yet; convert it to .stl, .off or .ply",
+        "{}: {name} is a surface in a format that is not read yet; convert it to .stl, .off or \
+         .ply",
         path.display()
     );
     Some(Error::invalid(message).of_content())

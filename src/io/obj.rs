@@ -1,5 +1,5 @@
-//! Wavefront's OBJ: points, and the polygons and lines between them. The marker of a polygon or line
-//! is the number of its group, in the order of their first names; 0 before any. Normals, textures
+//! Wavefront's OBJ: points, and the polygons and lines between them. The marker of a polygon or
+//! line is the number of its group, in the order of their first names; 0 before any. Normals, textures
 //! and materials say nothing that counts.
 
 use super::polygons::Polygons;
@@ -146,8 +146,8 @@ impl Content {
         Ok(())
     }
 
-    /// Returns the point that a word of an element names: a number from 1, or one back from the last
-    /// point, -1; numbers after a slash are of textures and normals.
+    /// Returns the point that a word of an element names: a number from 1, or one back from the
+    /// last point, -1; numbers after a slash are of textures and normals.
     fn id(&self, line: &Line<'_>, column: usize, word: &str) -> Result<u32> {
         let own = word.split('/').next().unwrap_or("");
         let count = self.points.count() as i64;
@@ -227,7 +227,8 @@ mod tests {
             ("v 1 2 3 red 0 0", "line 6, column 5: \"red\" is not a number"),
             (
                 "surf 0 1 0 1 1",
-                "line 6, column 1: \"surf\" is of a curved surface; only polygons and lines are read",
+                "line 6, column 1: \"surf\" is of a curved surface; only polygons and lines are \
+                 read",
             ),
             ("face 1 2 3", "line 6, column 1: \"face\" begins no line of an OBJ file"),
         ] {

@@ -35,8 +35,8 @@ pub(super) fn read(input: &mut dyn BufRead) -> Result<Table> {
     }
 }
 
-/// Returns true if a file that begins so is text. Some programs begin the header of binary data with
-/// the word that text begins with; text has no zeros, and the number of triangles has one.
+/// Returns true if a file that begins so is text. Some programs begin the header of binary data
+/// with the word that text begins with; text has no zeros, and the number of triangles has one.
 fn is_text(head: &[u8]) -> bool {
     let text = head.strip_prefix(b"\xef\xbb\xbf").unwrap_or(head).trim_ascii_start();
     let word = text.get(..5).unwrap_or_default();

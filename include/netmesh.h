@@ -2008,8 +2008,8 @@ nm_status nm_mesh_create(uint32_t dim,
  * Makes a mesh of the points of a file, as nm_mesh_create does; of NM_FORMAT_POLY,
  * NM_FORMAT_SMESH, NM_FORMAT_GEOJSON and NM_FORMAT_WKT with its segments, facets and regions, as
  * by nm_mesh_set_segments, nm_mesh_set_facets and nm_mesh_set_regions; of NM_FORMAT_STL,
- * NM_FORMAT_OBJ, NM_FORMAT_OFF and NM_FORMAT_PLY in 3D with its faces, as by nm_mesh_set_triangles or, if some are no triangles,
- * nm_mesh_set_facets.
+ * NM_FORMAT_OBJ, NM_FORMAT_OFF and NM_FORMAT_PLY in 3D with its faces, as by nm_mesh_set_triangles
+ * or, if some are no triangles, nm_mesh_set_facets.
  *
  * path_utf8: UTF-8 on every system. format: NM_FORMAT_AUTO goes by the extension. The dimension is
  * the file's.

@@ -1,6 +1,6 @@
 //! Wavefront's OBJ: points, and the polygons and lines between them. The marker of a polygon or
-//! line is the number of its group, in the order of their first names; 0 before any. Normals, textures
-//! and materials say nothing that counts.
+//! line is the number of its group, in the order of their first names; 0 before any. Normals,
+//! textures and materials say nothing that counts.
 
 use super::polygons::Polygons;
 use super::text::{Line, Lines, Points, quoted};

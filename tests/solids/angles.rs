@@ -1,7 +1,7 @@
 //! Small angles of the input, and features that are near each other.
 
-use super::{Solid, bounded, cuboid, volume};
-use netmesh::{Extent, Options};
+use super::{Point, Solid, assert_holds, bounded, cuboid, volume};
+use netmesh::{Extent, Mesh, Options};
 
 /// Returns the prism over a triangle with the given angle, in degrees.
 fn wedge(degrees: f64) -> Solid {
@@ -125,4 +125,23 @@ fn sides_that_meet_at_a_vertex_alone_are_not_split_down_to_it() {
     let solid = Solid { points, polygons: polygons.collect(), regions: Vec::new() };
     let mesh = solid.run(&Options { extent: Extent::Box, ..bounded(2.0) });
     assert!(mesh.vertex_count() < 1000, "{}", mesh.vertex_count());
+}
+
+/// The sides of a low cone are one facet that bends up to its apex. The base has vertices on the
+/// plane of that, but not on it: simplices between both are forced, and not flat.
+#[test]
+fn simplices_between_a_bent_facet_and_a_plane_one_are_forced() {
+    let rim = [[5.0, 0.0], [2.5, 4.25], [-2.5, 4.25], [-1.0, 0.0], [-1.25, -2.25], [1.0, -1.75]];
+    for height in [1e-3, 1e-10, 2f64.powi(-42)] {
+        let mut points: Vec<Point> = rim.map(|[x, y]| [x, y, 0.0]).to_vec();
+        points.extend([[0.0; 3], [0.0, 0.0, height]]);
+        let sides = (0..6u32).flat_map(|at| [[at, (at + 1) % 6, 7], [(at + 1) % 6, at, 6]]);
+        let triangles: Vec<u32> = sides.flatten().collect();
+        let mut mesh = Mesh::new(3, points.len(), points.as_flattened(), 0).unwrap();
+        mesh.set_triangles(&triangles, None).unwrap();
+        mesh.run(&Options { coplanar: 0.5, ..bounded(3.0) }, None).unwrap();
+        assert_holds(&mesh);
+        let boundary = &mesh.result().unwrap().boundary;
+        assert_eq!((boundary.forced.len(), boundary.flat.len()), (6, 0), "{height}");
+    }
 }

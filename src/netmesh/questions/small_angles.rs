@@ -76,7 +76,7 @@ impl State<3> {
     }
 
     /// Returns the facets that a vertex is on, an end of lines, on a line or between lines.
-    fn facets_of(&self, vertex: VertexId) -> impl Iterator<Item = u32> {
+    pub(in crate::netmesh) fn facets_of(&self, vertex: VertexId) -> impl Iterator<Item = u32> {
         let subsegment = self.segments.chains.subsegments_at(vertex).map(|[before, _]| before);
         let pages = subsegment.into_iter().flat_map(|before| self.facets.pages(before));
         let own = pages.map(|page| self.facets.get(page).facet);

@@ -181,7 +181,8 @@ impl State<3> {
     }
 
     /// Returns true if a live simplex is flat within a facet: it has a face that is a subfacet, and
-    /// the vertex opposite is on the plane of the facet within roundings.
+    /// the vertex opposite is on the facet, and on its plane within roundings. One on the plane
+    /// alone may be of a facet beside one that bends.
     pub(in crate::netmesh) fn is_flat(&self, simplex: SimplexId) -> bool {
         let vertices = self.delaunay.complex().vertices(simplex);
         if !vertices.iter().all(|&vertex| self.facets.holds(vertex)) {
@@ -190,8 +191,9 @@ impl State<3> {
         FACES.iter().enumerate().any(|(opposite, face)| {
             let subfacet = self.facets.face(&face.map(|at| vertices[at]));
             subfacet.is_some_and(|subfacet| {
-                let x = self.delaunay.point(vertices[opposite]);
-                self.facets.plane_of(subfacet).is_near(x)
+                let (vertex, own) = (vertices[opposite], self.facets.get(subfacet).facet);
+                self.facets.plane_of(subfacet).is_near(self.delaunay.point(vertex))
+                    && self.facets_of(vertex).any(|facet| facet == own)
             })
         })
     }

@@ -145,3 +145,14 @@ fn simplices_between_a_bent_facet_and_a_plane_one_are_forced() {
         assert_eq!((boundary.forced.len(), boundary.flat.len()), (6, 0), "{height}");
     }
 }
+
+/// Sizes ask for splits also where the guard of small angles lets none be: a run with sizes ends,
+/// and keeps them.
+#[test]
+fn sizes_are_kept_beside_small_angles() {
+    for degrees in [30.0, 12.0] {
+        let mesh = wedge(degrees).run(&Options { max_edge: 0.15, ..bounded(2.0) });
+        assert!(mesh.vertex_count() < 20_000, "{}", mesh.vertex_count());
+        assert!(!mesh.precision_limited.contains(&true));
+    }
+}

@@ -5,6 +5,7 @@ use crate::delaunay::Cavity;
 use crate::mesh::Inputs;
 use crate::netmesh::instruments::features::FeatureSizes;
 use crate::netmesh::state::Mesher;
+use crate::netmesh::state::facets::floors::Purpose;
 use crate::netmesh::state::hierarchy::DomainId;
 use crate::netmesh::state::watch::Watch;
 use crate::numerics::distance;
@@ -131,7 +132,7 @@ fn clean<const D: usize>(mesher: &mut Mesher<'_, '_, D>, seen: &mut Seen) {
         );
         let vertex = VertexId::new(mesher.state.delaunay.point_count());
         mesher.state.stats.insertion_constant_corner = 0.0;
-        mesher.refine_corner(simplex, &mut Cavity::default()).unwrap();
+        mesher.refine_corner(simplex, Purpose::Bound, &mut Cavity::default()).unwrap();
         let after = (
             mesher.state.stats.far_corners,
             mesher.state.stats.off_centers,

@@ -6,6 +6,7 @@ use crate::complex::SimplexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::AllocResult;
+use crate::netmesh::state::facets::floors::Purpose;
 use crate::netmesh::state::hierarchy::DomainId;
 use crate::netmesh::state::{Mesher, State};
 use crate::numerics::norm;
@@ -23,10 +24,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
         &mut self,
         simplex: SimplexId,
         domain: DomainId,
+        purpose: Purpose,
         cavity: &mut Cavity,
     ) -> Result<()> {
         if self.state.is_clear_of_cage(simplex, domain, cavity)? {
-            return self.refine_corner(simplex, cavity);
+            return self.refine_corner(simplex, purpose, cavity);
         }
         match self.state.projected_corner(simplex, domain) {
             Some(x) if self.finds_room(simplex, domain, &x, cavity)? => {

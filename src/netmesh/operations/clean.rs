@@ -3,6 +3,7 @@
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::AllocResult;
+use crate::netmesh::state::facets::floors::Purpose;
 use crate::netmesh::state::refine_list::Entry;
 use crate::netmesh::state::{Mesher, State};
 
@@ -19,9 +20,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 continue;
             }
             if self.state.is_bad(simplex) {
-                self.refine_corner(simplex, cavity)?;
+                self.refine_corner(simplex, Purpose::Bound, cavity)?;
             } else if let Some(domain) = self.state.open_domain(simplex) {
-                self.narrow_cage_gap(simplex, domain, cavity)?;
+                self.narrow_cage_gap(simplex, domain, Purpose::Bound, cavity)?;
             }
             self.recover_boundary(cavity)?;
             self.state.queue_again(entry)?;

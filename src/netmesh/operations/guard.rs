@@ -5,12 +5,16 @@
 use crate::complex::{SimplexId, VertexId};
 use crate::memory::AllocResult;
 use crate::netmesh::state::State;
-use crate::netmesh::state::facets::floors::{Floors, Guard};
+use crate::netmesh::state::facets::floors::{Floors, Guard, Purpose};
 use crate::numerics::{distance, shortest_distance};
 
 /// A simplex may ask for a split only where the radius of what is split, relative to its shortest
 /// edge, is as large as this.
 const GUARD: f64 = 0.7;
+
+/// Part of the radius of a simplex that is no more than that of what its centre encroaches, less
+/// what roundings take.
+const HALF: f64 = 0.499;
 
 /// Radius about an end of sharp lines in which nothing is split for a simplex, relative to the
 /// local feature size there.
@@ -104,14 +108,23 @@ impl State<3> {
     }
 
     /// Keeps those of the encroached subsegments and subfacets that the guard lets a simplex split,
-    /// and returns the guard.
-    pub(super) fn keep_large(&mut self, simplex: SimplexId) -> AllocResult<Guard> {
+    /// and returns the guard. A part whose smallest ball holds the centre of the simplex has half
+    /// its radius or more: for a size all of these may be split, beside small angles as well, until
+    /// simplices are as small as is asked for.
+    pub(super) fn keep_large(
+        &mut self,
+        simplex: SimplexId,
+        purpose: Purpose,
+    ) -> AllocResult<Guard> {
         let vertices = self.delaunay.complex().vertices(simplex);
         let points: [&[f64; 3]; 4] = std::array::from_fn(|at| self.delaunay.point(vertices[at]));
         let least = GUARD * shortest_distance(&points).2;
-        let guard = match self.facets.floors.are_set() && !self.has_small_angle(simplex) {
-            true => Guard::Low { least },
-            false => Guard::Usual { least },
+        let radius = self.delaunay.ball(simplex).map_or(0.0, |ball| ball.radius());
+        let is_low = self.facets.floors.are_set() && !self.has_small_angle(simplex);
+        let guard = match (purpose, is_low) {
+            (Purpose::Size, _) => Guard::Sized { least: least.min(HALF * radius) },
+            (Purpose::Bound, true) => Guard::Low { least },
+            (Purpose::Bound, false) => Guard::Usual { least },
         };
         let mut near = std::mem::take(&mut self.facets.near);
         keep(&mut near.subsegments, |own| self.guard_admits(own, guard))?;

@@ -6,7 +6,7 @@ use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::netmesh::state::Mesher;
 use crate::netmesh::state::facets::NearBoundary;
-use crate::netmesh::state::facets::floors::Guard;
+use crate::netmesh::state::facets::floors::{Guard, Purpose};
 
 /// Subsegments and subfacets that a Steiner point would encroach, and what became of them.
 pub(super) enum Encroachment {
@@ -44,13 +44,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
         &mut self,
         simplex: SimplexId,
         x: &[f64; D],
+        purpose: Purpose,
         cavity: &mut Cavity,
     ) -> Result<Encroachment> {
         if !self.state.segments.is_active() {
             return Ok(Encroachment::None);
         }
         if self.state.in_space().is_some() {
-            return self.split_encroached_in_space(simplex, x, cavity);
+            return self.split_encroached_in_space(simplex, x, purpose, cavity);
         }
         if !self.state.find_encroached(x, cavity)? {
             return Ok(Encroachment::None);
@@ -73,6 +74,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         &mut self,
         simplex: SimplexId,
         x: &[f64; D],
+        purpose: Purpose,
         cavity: &mut Cavity,
     ) -> Result<Encroachment> {
         let place = std::array::from_fn(|axis| x[axis]);
@@ -80,7 +82,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         if !state.find_encroached_in_space(&place, cavity)? {
             return Ok(Encroachment::None);
         }
-        let guard = state.keep_large(simplex)?;
+        let guard = state.keep_large(simplex, purpose)?;
         if state.facets.near.is_empty() {
             return Ok(Encroachment::Refused);
         }

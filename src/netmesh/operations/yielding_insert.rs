@@ -7,6 +7,7 @@ use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow};
 use crate::netmesh::operations::recover_boundary::Encroachment;
 use crate::netmesh::questions::steiner_point::SteinerPoint;
+use crate::netmesh::state::facets::floors::Purpose;
 use crate::netmesh::state::{Mesher, State};
 
 impl<const D: usize> Mesher<'_, '_, D> {
@@ -14,10 +15,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(in crate::netmesh) fn refine_corner(
         &mut self,
         simplex: SimplexId,
+        purpose: Purpose,
         cavity: &mut Cavity,
     ) -> Result<()> {
         let steiner = self.state.steiner_point(simplex);
-        self.insert_steiner(simplex, steiner, cavity)
+        self.insert_steiner(simplex, steiner, purpose, cavity)
     }
 
     /// Inserts the corner of `simplex` itself, or the input that it yields to, though no bound asks
@@ -28,13 +30,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
         cavity: &mut Cavity,
     ) -> Result<()> {
         let corner = self.state.sound_corner(simplex);
-        self.insert_steiner(simplex, corner, cavity)
+        self.insert_steiner(simplex, corner, Purpose::Size, cavity)
     }
 
     fn insert_steiner(
         &mut self,
         simplex: SimplexId,
         steiner: Option<SteinerPoint<D>>,
+        purpose: Purpose,
         cavity: &mut Cavity,
     ) -> Result<()> {
         let steiner =
@@ -58,14 +61,16 @@ impl<const D: usize> Mesher<'_, '_, D> {
             }
             return Ok(());
         }
-        match self.split_encroached(simplex, &x, cavity)? {
-            Encroachment::Split => return Ok(()),
-            Encroachment::TooShort => {
+        match (self.split_encroached(simplex, &x, purpose, cavity)?, purpose) {
+            (Encroachment::Split, _) => return Ok(()),
+            (Encroachment::Refused, Purpose::Bound) => {
+                return Ok(self.state.facets.keep(simplex)?);
+            }
+            (Encroachment::TooShort | Encroachment::Refused, _) => {
                 self.state.refine_list.limit(simplex);
                 return Ok(());
             }
-            Encroachment::Refused => return Ok(self.state.facets.keep(simplex)?),
-            Encroachment::None => {}
+            (Encroachment::None, _) => {}
         }
         if !self.state.may_insert(&x, cavity) {
             return Ok(self.state.block(simplex)?);

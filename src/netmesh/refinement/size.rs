@@ -18,6 +18,7 @@ use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::netmesh::state::Mesher;
+use crate::netmesh::state::facets::floors::Purpose;
 use crate::netmesh::state::hierarchy::ROOT;
 
 impl<const D: usize> Mesher<'_, '_, D> {
@@ -77,11 +78,21 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
     }
 
-    /// Inserts a point into the D-ball of `simplex`, or makes it precision-limited.
+    /// Inserts a point into the D-ball of `simplex`, or makes it precision-limited: also where all
+    /// that could be done for it is kept.
     fn destroy(&mut self, simplex: SimplexId, cavity: &mut Cavity) -> Result<()> {
+        let before = self.state.delaunay.simplices_created();
+        self.insert_within(simplex, cavity)?;
+        if self.state.delaunay.simplices_created() == before {
+            self.state.refine_list.limit(simplex);
+        }
+        Ok(())
+    }
+
+    fn insert_within(&mut self, simplex: SimplexId, cavity: &mut Cavity) -> Result<()> {
         match self.state.is_well_inside(simplex, ROOT) {
             true => self.insert_corner(simplex, cavity),
-            false => self.narrow_cage_gap(simplex, ROOT, cavity),
+            false => self.narrow_cage_gap(simplex, ROOT, Purpose::Size, cavity),
         }
     }
 }

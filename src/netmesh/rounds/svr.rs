@@ -7,6 +7,7 @@ use crate::complex::SimplexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::netmesh::state::Mesher;
+use crate::netmesh::state::facets::floors::Purpose;
 use crate::netmesh::state::hierarchy::ROOT;
 
 impl<const D: usize> Mesher<'_, '_, D> {
@@ -31,7 +32,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// use (beyond the root cage, or doubles cannot express it) one of the inputs goes in as it is.
     fn break_ball(&mut self, simplex: SimplexId, cavity: &mut Cavity) -> Result<()> {
         if self.state.is_well_inside(simplex, ROOT) && !self.state.refine_list.is_limited(simplex) {
-            self.refine_corner(simplex, cavity)?;
+            self.refine_corner(simplex, Purpose::Bound, cavity)?;
         } else if let Some(input) = self.state.conflict_lists.entries(simplex).next() {
             self.insert_input(input, cavity)?;
         }

@@ -85,8 +85,8 @@ impl<'a, const D: usize> Chains<'a, D> {
         &self.path
     }
 
-    /// Fills `path` with the vertices from end to end, along any subsegments; whether there are
-    /// some.
+    /// Fills `path` with the vertices from end to end, along any subsegments. Returns true if there
+    /// are any.
     pub fn lead(&mut self, way: Way) -> AllocResult<bool> {
         let [from, to] = way.ends;
         self.path.clear();

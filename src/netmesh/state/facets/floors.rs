@@ -18,6 +18,15 @@ pub(in crate::netmesh) enum Guard {
     Usual { least: f64 },
     /// None smaller than both this and the floor of its facet or line.
     Low { least: f64 },
+    /// None smaller than this, whatever angles are near.
+    Sized { least: f64 },
+}
+
+/// Promise for which a simplex asks for a Steiner point.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(in crate::netmesh) enum Purpose {
+    Bound,
+    Size,
 }
 
 /// Facet or line -> the size below which its parts are not split; infinite while there is none.
@@ -32,7 +41,7 @@ impl Guard {
     pub fn admits(self, size: f64, floor: f64) -> bool {
         match self {
             Self::Open => true,
-            Self::Usual { least } => size >= least,
+            Self::Usual { least } | Self::Sized { least } => size >= least,
             Self::Low { least } => size >= least.min(floor),
         }
     }

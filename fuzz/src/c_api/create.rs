@@ -75,7 +75,7 @@ pub fn create_refused(bytes: &mut Bytes<'_>) {
 pub fn create_from_file(bytes: &mut Bytes<'_>) {
     let invalid = nm_status::NM_INVALID_ARGUMENT;
     let format = i32::from(bytes.byte() as i8);
-    let readable = matches!(format, 2..=9 | 12..=15);
+    let readable = matches!(format, 2..=9 | 12..=17);
     let (path, expected): (&CStr, _) = match bytes.below(5) {
         0 => (c"", invalid),
         1 => (c"\xff.xyz", invalid),

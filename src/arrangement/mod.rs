@@ -127,10 +127,7 @@ fn arrange_within(
     let refuses = |[first, second]: [u32; 2]| {
         let is_refused =
             task.crossings == Crossings::Refuse && (first.max(second) as usize) < task.own;
-        let [first, second] = [first, second].map(|segment| &reaches[segment as usize]);
-        // An end that counts as on the other segment is where they meet.
-        let may_cross = is_refused && !first.has_end_of(second) && !second.has_end_of(first);
-        may_cross.then(|| first.crossing(second)).flatten()
+        is_refused.then(|| reaches[first as usize].crossing(&reaches[second as usize])).flatten()
     };
     let frame = Frame::new(segments, task.own, reaches, points.len())?;
     let mut pieces = copied(segments)?;

@@ -214,17 +214,3 @@ fn lines_go_through_the_vertex_that_their_crossings_were_refused_for() {
     let arrangement = arranged(&points, &ends, Crossings::Split).unwrap();
     assert_eq!(arrangement.crossings, [[9.8, 3.6]]);
 }
-
-/// The end of the second segment is 0.4 units beside the first one, and the other end 127 units on
-/// the other side: they meet at that end, and cross nowhere.
-#[test]
-fn segments_that_meet_at_an_end_do_not_cross() {
-    let points = [[8.6, 6.6], [1.0, 7.7], [4.8, 7.15], [1.980306536035, 7.558113527679]];
-    // As sides of a hull the same again.
-    let ends = [[0, 1], [2, 3], [0, 3], [3, 1]];
-    for order in [[0, 1, 2, 3], [1, 0, 3, 2]] {
-        let ends = order.map(|at: usize| ends[at]);
-        let made = arranged(&points, &ends, Crossings::Refuse).unwrap();
-        assert!(made.subsegments.len() >= 4);
-    }
-}

@@ -124,11 +124,6 @@ impl<const D: usize> Reach<D> {
         from < position && position < to && self.is_near(self.ends.each_ref(), x)
     }
 
-    /// Returns true if an end of another segment is near the straight segment and between its ends.
-    pub fn has_end_of(&self, other: &Self) -> bool {
-        other.ends.iter().any(|end| self.holds(end))
-    }
-
     /// Returns the distance of a point from the straight segment, in units in the last place.
     pub fn offset_from_segment(&self, x: &[f64; D]) -> f64 {
         self.offset(self.ends.each_ref(), x)

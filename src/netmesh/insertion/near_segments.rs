@@ -1,7 +1,7 @@
 //! The subsegments and regions around a point that is to go in.
 
 use crate::complex::{SimplexId, VertexId};
-use crate::delaunay::Cavity;
+use crate::delaunay::{Cavity, Hole};
 use crate::memory::{AllocResult, TryGrow};
 use crate::netmesh::state::State;
 use crate::netmesh::state::segments::SegmentState;
@@ -51,6 +51,22 @@ impl<const D: usize> State<D> {
         let bound = self.delaunay.complex().simplex_bound();
         self.segments.regions.note_created(created, bound)?;
         self.facets.forget(created);
+        Ok(())
+    }
+
+    /// Removes a vertex between segments and facets, whose hole is found: the simplices that fill
+    /// it are in the region of those that were there.
+    pub(in crate::netmesh) fn remove_with_regions(
+        &mut self,
+        vertex: VertexId,
+        hole: &Hole<D>,
+        filled: &mut Vec<SimplexId>,
+    ) -> AllocResult<()> {
+        self.segments.regions.note_removal(&hole.star);
+        self.delaunay.remove(vertex, hole, filled)?;
+        let bound = self.delaunay.complex().simplex_bound();
+        self.segments.regions.note_filled(filled, bound)?;
+        self.facets.forget(filled);
         Ok(())
     }
 

@@ -55,7 +55,7 @@ impl Mesher<'_, '_, 2> {
             && self.state.is_needless(vertex, hole);
         if is_needless {
             let x = *self.state.delaunay.point(vertex);
-            self.state.remove_with_regions(vertex, hole, filled)?;
+            self.state.remove_and_measure(vertex, hole, filled)?;
             self.note_departure(&x, &hole.vertices.ids)?;
         }
         Ok(is_needless)
@@ -105,17 +105,16 @@ impl State<2> {
             })
     }
 
-    /// Removes `vertex`, whose hole is found. Its id is not used again.
-    fn remove_with_regions(
+    /// Removes `vertex`, whose hole is found, and measures what fills that. Its id is not used
+    /// again.
+    fn remove_and_measure(
         &mut self,
         vertex: VertexId,
         hole: &Hole<2>,
         filled: &mut Vec<SimplexId>,
     ) -> AllocResult<()> {
-        self.segments.regions.note_removal(&hole.star);
-        self.delaunay.remove(vertex, hole, filled)?;
+        self.remove_with_regions(vertex, hole, filled)?;
         let bound = self.delaunay.complex().simplex_bound();
-        self.segments.regions.note_filled(filled, bound)?;
         self.refine_list.forget(filled, bound)?;
         filled.iter().for_each(|&simplex| self.note_corner(simplex));
         Ok(())

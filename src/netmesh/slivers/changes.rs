@@ -1,7 +1,6 @@
 //! The three changes of a mesh: a point goes in, a vertex moves, a vertex goes.
 
 use crate::complex::{SimplexId, VertexId};
-use crate::delaunay::Hole;
 use crate::error::Result;
 use crate::memory::TryGrow;
 use crate::mesh::Stats;
@@ -9,7 +8,7 @@ use crate::netmesh::slivers::log::Step;
 use crate::netmesh::slivers::vacancy::{Target, may_leave};
 use crate::netmesh::slivers::view::View;
 use crate::netmesh::slivers::work::Slivers;
-use crate::netmesh::state::{Cell, Mesher, State};
+use crate::netmesh::state::{Cell, Mesher};
 
 impl Mesher<'_, '_, 3> {
     /// Inserts a point into the D-ball of `start`.
@@ -54,7 +53,7 @@ impl Mesher<'_, '_, 3> {
             log.steps.try_push(Step::Moved(vertex, from))?;
         }
         let mut filled = std::mem::take(&mut slivers.filled);
-        self.state.fill_hole(vertex, &slivers.vacancy.hole, &mut filled)?;
+        self.state.remove_with_regions(vertex, &slivers.vacancy.hole, &mut filled)?;
         self.state.delaunay.set_point(vertex, place.x);
         self.state.delaunay.find_cavity(filled[place.near], &place.x, &mut slivers.cavity)?;
         self.fill_cavity(vertex, slivers)?;
@@ -101,29 +100,11 @@ impl Mesher<'_, '_, 3> {
             None => slivers.free.try_push(vertex)?,
         }
         let mut filled = std::mem::take(&mut slivers.filled);
-        self.state.fill_hole(vertex, &slivers.vacancy.hole, &mut filled)?;
+        self.state.remove_with_regions(vertex, &slivers.vacancy.hole, &mut filled)?;
         discount_point(&mut self.state.stats);
         self.state.weigh(&filled, slivers)?;
         slivers.filled = filled;
         Ok(self.note_departure(&x, &slivers.vacancy.hole.vertices.ids)?)
-    }
-}
-
-impl State<3> {
-    /// Removes a vertex that is on no facet: the simplices that fill its hole are in the region of
-    /// those that were there.
-    fn fill_hole(
-        &mut self,
-        vertex: VertexId,
-        hole: &Hole<3>,
-        filled: &mut Vec<SimplexId>,
-    ) -> Result<()> {
-        self.segments.regions.note_removal(&hole.star);
-        self.delaunay.remove(vertex, hole, filled)?;
-        let bound = self.delaunay.complex().simplex_bound();
-        self.segments.regions.note_filled(filled, bound)?;
-        self.facets.forget(filled);
-        Ok(())
     }
 }
 

@@ -106,6 +106,9 @@ pub fn arrange(task: &Task<'_>, poll: Poll<'_>) -> Result<Arrangement> {
     if let Some(arrangement) = bent {
         return Ok(arrangement);
     }
+    // Bent, no segments crossed that must not. Crossings that straight ones have besides are at
+    // vertices that count as on both, and none that the caller could mean.
+    let task = &Task { crossings: Crossings::Split, ..*task };
     let exact = collected(reaches.into_iter().map(Reach::exact))?;
     arrange_within(task, points, &segments, &exact, poll)?.ok_or_else(|| {
         let message =

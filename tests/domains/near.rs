@@ -319,3 +319,21 @@ fn a_hull_that_is_a_line_within_roundings_has_no_area() {
         );
     }
 }
+
+/// Holds that two segments which leave an input at a hundred units over their length do not cross:
+/// the input is on both. Their gap asks for more vertices than are allowed.
+#[test]
+fn an_end_that_counts_as_on_a_segment_is_no_crossing() {
+    let points = [[8.6, 6.6], [1.0, 7.7], [4.8, 7.15], [1.980306536035, 7.558113527679]];
+    for extent in ALL {
+        for crossings in [Crossings::Refuse, Crossings::Split] {
+            let options = Options { extent, crossings, max_vertices: 2000, ..Options::default() };
+            match run(&points, &[[0, 1], [2, 3]], &options) {
+                Ok(mesh) => certify(&mesh, &format!("{options:?}")),
+                Err(error) => {
+                    assert_eq!(error.kind(), ErrorKind::Limit, "{extent:?}: {}", error.message());
+                }
+            }
+        }
+    }
+}

@@ -8,7 +8,9 @@
 //! them by at most one unit in the last place of the facet's largest coordinate on each axis; half
 //! a unit is from rounding it, and the other half from how the builder comes to its place. Inputs
 //! that are near the facet without being among its own may be as far as those near a segment, and
-//! so may vertices of a segment, which may bend through such an input.
+//! so may vertices of a chain, which may bend through such an input: [`super::ways`] holds them to
+//! the line between the inputs next to them, so that only those of a chain that bends are farther
+//! than one unit.
 
 use super::super::chains::BENT;
 use super::super::exact::unit_in_last_place;

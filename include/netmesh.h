@@ -224,8 +224,7 @@ typedef int32_t nm_criterion;
 #endif // __cplusplus
 
 /**
- * Treatment of segments in the plane that cross where no input is. In space neither segments nor
- * facets may cross.
+ * Treatment of segments, in space of facets too, that cross where no input is.
  */
 enum nm_crossings
 #ifdef __cplusplus
@@ -233,11 +232,14 @@ enum nm_crossings
 #endif // __cplusplus
  {
     /**
-     * The run is refused as an invalid argument, and the message names two of the segments.
+     * The run is refused as an invalid argument, and the message names two of them.
      */
     NM_CROSSINGS_REFUSE = 0,
     /**
-     * The double nearest to their crossing becomes a vertex of both.
+     * The double nearest to the crossing of two segments becomes a vertex of both. In space,
+     * points where an edge or segment meets a facet or another edge become vertices of both, but
+     * for roundings, and the line along which two facets meet becomes an edge of both; triangles
+     * without an area are left out. Facets that overlap are refused.
      */
     NM_CROSSINGS_SPLIT = 1,
 };
@@ -415,7 +417,8 @@ enum nm_interior
  {
     /**
      * NM_INTERIOR_PARITY where the segments are those of a file of polygons (GeoJSON, WKT),
-     * NM_INTERIOR_SEEDS otherwise. The options of the finished run tell which it was.
+     * NM_INTERIOR_WINDING where triangles in space are surfaces that are closed and oriented
+     * alike, NM_INTERIOR_SEEDS otherwise. The options of the finished run tell which it was.
      */
     NM_INTERIOR_AUTO = 0,
     /**

@@ -36,8 +36,9 @@ pub(crate) mod delaunay;
 
 pub use error::{Error, ErrorKind, Result};
 pub use mesh::{
-    Arrangement, Attribute, Domain, Facets, Feature, Inputs, Intersection, IntersectionKind,
-    LeftOut, Mesh, NONE, Region, Segments, Stats, Subsegment, Triangulation, VertexKind,
+    Arrangement, Attribute, Diagnosis, Domain, EdgeFault, Facets, Feature, Inputs, Intersection,
+    IntersectionKind, LeftOut, Mesh, NONE, Region, Segments, Stats, Subsegment, Triangulation,
+    VertexKind,
 };
 pub use options::{
     Algorithm, Criterion, Crossings, Extent, GivesWay, Interior, NetOrdering, Options, Output,

@@ -5,6 +5,7 @@
 pub(crate) mod attribute;
 mod boundary;
 mod boxed;
+mod diagnosis;
 mod facets;
 mod inputs;
 mod intersection;
@@ -14,6 +15,7 @@ pub mod sizes;
 pub use attribute::Attribute;
 pub use boundary::{Arrangement, Boundary, Crowded, Region, Segments, Subsegment};
 pub use boxed::Boxed;
+pub use diagnosis::{Diagnosis, EdgeFault, OddEdge};
 pub(crate) use facets::check_starts;
 pub use facets::{ArrangedFacet, FacetTriangle, Facets};
 pub use inputs::Inputs;

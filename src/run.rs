@@ -42,7 +42,11 @@ impl Mesh {
         size: Option<&SizeFn<'_>>,
         progress: Option<&mut ProgressFn<'_>>,
     ) -> Result<()> {
-        let options = &with_interior(options, self.segments().has_polygons());
+        let options = &match self.has_surface() {
+            // Only its arrangement tells whether it is closed.
+            true => options.clone(),
+            false => with_interior(options, self.segments().has_polygons()),
+        };
         self.check_sizes(options, size.is_some())?;
         let mut shared = SharedVertices::default();
         let mut least = -1.0;

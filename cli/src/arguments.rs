@@ -3,7 +3,8 @@
 use crate::choices::{AddedValues, FiltrationName, ReadableFormat, WritableFormat};
 use crate::exit_code;
 use crate::meshing::Meshing;
-use clap::Parser;
+use clap::parser::ValueSource;
+use clap::{CommandFactory, FromArgMatches, Parser};
 use netmesh::io::{AttributeColumns, Choice, Columns, Format};
 use netmesh::options::{Group, Row, TABLE, Value};
 use netmesh::{Algorithm, Options, Output};
@@ -22,7 +23,9 @@ Examples:
 /// Mesh points: in goes a file of points, out comes a conforming quality Delaunay mesh.
 ///
 /// The number of coordinates in the input is the dimension, 2 to 8. A number out of its range is
-/// refused, and the message tells the range in that dimension.
+/// refused, and the message tells the range in that dimension. Facets
+/// are those of a part: its inside is meshed, with --coplanar 0.1 and --min-dihedral 10 where these
+/// are not given.
 #[derive(Debug, Parser)]
 #[command(name = "netmesh", version, after_help = format!("{EXAMPLES}\n\n{}", exit_code::HELP))]
 pub struct Arguments {
@@ -100,6 +103,14 @@ pub struct Arguments {
     #[arg(long)]
     pub validate: bool,
 
+    /// Make no mesh, but tell what keeps the facets of the input from being a closed surface that a
+    /// mesh can conform to: edges that are open, of three or more facets or turned round, facets
+    /// without an area, and all pairs that cross, touch or overlap. They are the cells of FILE, in
+    /// VTK's format .vtu
+    #[arg(long, value_name = "FILE")]
+    #[arg(conflicts_with_all = ["output", "json", "validate", "stats", "histogram", "quiet"])]
+    pub diagnose: Option<PathBuf>,
+
     /// Print nothing but errors. The quality is then not measured (unless --json asks for it),
     /// which takes longer than the meshing of a large input
     #[arg(short, long)]
@@ -125,6 +136,10 @@ pub struct Arguments {
 
     #[command(flatten)]
     pub meshing: Meshing,
+
+    /// Options of the library that were given, by their names.
+    #[arg(skip)]
+    pub given: Vec<&'static str>,
 }
 
 /// Files that tell sizes, beside the library's options.
@@ -166,6 +181,16 @@ pub enum Product {
 }
 
 impl Arguments {
+    /// Returns the arguments of this process, or ends it with a message.
+    pub fn of_command_line() -> Self {
+        let matches = Self::command().get_matches();
+        let mut arguments = Self::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+        let has = |name: &&str| matches.value_source(name) == Some(ValueSource::CommandLine);
+        let names = TABLE.iter().filter(|row| heading(row).is_some()).map(|row| row.name);
+        arguments.given = names.filter(has).collect();
+        arguments
+    }
+
     pub fn input_format(&self) -> Format {
         self.input_format.map_or(Format::Auto, |readable| readable.0.format())
     }
@@ -266,7 +291,6 @@ fn without_name(error: netmesh::Error) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use clap::CommandFactory;
     use netmesh::options::Kind;
 
     #[test]

@@ -6,6 +6,7 @@ mod alpha_shape;
 mod arguments;
 mod certificate;
 mod choices;
+mod diagnosis;
 mod exit_code;
 mod filtration;
 mod histograms;
@@ -16,6 +17,7 @@ mod manual;
 mod meshing;
 mod numbers;
 mod output;
+mod part;
 mod progress;
 mod record;
 mod same_file;
@@ -27,13 +29,12 @@ mod whole;
 mod words;
 
 use arguments::Arguments;
-use clap::Parser;
 use exit_code::{ExitCode, Failure};
 use std::io::Write;
 use std::panic::catch_unwind;
 
 fn main() -> std::process::ExitCode {
-    let arguments = Arguments::parse();
+    let arguments = Arguments::of_command_line();
     let outcome = catch_unwind(|| session::run(&arguments)).unwrap_or_else(|_| {
         Err(Failure::new(ExitCode::Other, "the program failed; this is a defect, please report it"))
     });

@@ -23,7 +23,7 @@ pub fn require_distinct(arguments: &Arguments) -> Result<(), Failure> {
             return Err(Failure::new(ExitCode::Usage, message));
         }
     }
-    require_no_input(outputs.iter().chain(&arguments.json), arguments)
+    require_no_input(outputs.iter().chain(&arguments.json).chain(&arguments.diagnose), arguments)
 }
 
 /// Refuses files of segments and facets that are the input.

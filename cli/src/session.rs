@@ -3,12 +3,14 @@
 use crate::alpha_shape;
 use crate::arguments::{Arguments, Product};
 use crate::certificate;
+use crate::diagnosis;
 use crate::exit_code::{ExitCode, Failure};
 use crate::filtration;
 use crate::histograms::Histograms;
 use crate::input;
 use crate::interruption;
 use crate::output;
+use crate::part;
 use crate::progress::Display;
 use crate::record;
 use crate::same_file;
@@ -33,6 +35,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let _stage = display.stage("reading");
         timed(&mut times.read, || input::read(arguments))?
     };
+    if let Some(path) = &arguments.diagnose {
+        let _stage = display.stage("diagnosing");
+        return print(&diagnosis::text(&mesh, path, arguments)?);
+    }
     if let Some(path) = &arguments.size_files.sizes {
         sizes::set(&mut mesh, path)?;
     }
@@ -97,15 +103,19 @@ fn check_paths(arguments: &Arguments) -> Result<(), Failure> {
             output::require_attributes(output, arguments.output_format())?;
         }
     }
-    if let Some(json) = &arguments.json {
-        output::require_place(json)?;
+    for path in arguments.json.iter().chain(&arguments.diagnose) {
+        output::require_place(path)?;
+    }
+    if let Some(path) = arguments.diagnose.as_deref().filter(|path| standard::is_meant(path)) {
+        let message = format!("{}: --diagnose needs the name of a file", path.display());
+        return Err(Failure::new(ExitCode::Usage, message));
     }
     same_file::require_distinct(arguments)
 }
 
 fn files_to_write(arguments: &Arguments) -> Result<Vec<PathBuf>, Failure> {
     let mut files = same_file::outputs(arguments)?;
-    files.extend(arguments.json.clone());
+    files.extend(arguments.json.iter().chain(&arguments.diagnose).cloned());
     files.retain(|path| !standard::is_meant(path));
     Ok(files)
 }
@@ -157,8 +167,9 @@ fn tell(summary: &Summary<'_>) -> Result<(), Failure> {
 
 fn make(mesh: &mut Mesh, arguments: &Arguments, display: &Display) -> Result<(), Failure> {
     let stage = display.meshing();
+    let options = part::options(arguments, mesh);
     let outcome = mesh.run(
-        &arguments.options(),
+        &options,
         Some(&mut |progress| {
             stage.show(progress);
             true

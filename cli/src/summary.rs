@@ -5,6 +5,7 @@ use crate::arguments::Arguments;
 use crate::certificate;
 use crate::histograms::Histograms;
 use crate::numbers::{counted, duration, grouped, measure};
+use crate::part;
 use crate::standard;
 use netmesh::quality::Quality;
 use netmesh::validate::Report;
@@ -188,6 +189,9 @@ impl Summary<'_> {
         let subfacets = counted(boundary.subfacets.len() as u64, "subfacet", "subfacets");
         let subsegments = counted(boundary.subsegments.len() as u64, "subsegment", "subsegments");
         lines.add("facets", format!("{}; {subfacets}, {subsegments}", given.join(", ")));
+        if let Some(told) = part::told(self.arguments, self.mesh) {
+            lines.add("", told);
+        }
     }
 
     fn count_of(&self, kind: VertexKind) -> u64 {

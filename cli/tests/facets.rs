@@ -29,6 +29,77 @@ fn points_are_meshed_alone_where_that_is_asked_for() {
     }
 }
 
+/// A part is meshed as people mean it who give nothing else, and the summary says so.
+#[test]
+fn parts_have_defaults_of_their_own() {
+    let bench = Workbench::new("facets_defaults");
+    bench.write("cube.off", CUBE);
+    for (line, coplanar, angle, told) in [
+        ("", "0.1", "10", Some("with --coplanar 0.1 and --min-dihedral 10, as nothing else is")),
+        ("--coplanar 0", "0", "10", Some("with --min-dihedral 10, as nothing else is given\n")),
+        ("--min-dihedral 0", "0.1", "0", Some("with --coplanar 0.1, as nothing else is given\n")),
+        ("--coplanar 0.5 --min-dihedral 5", "0.5", "5", None),
+        ("--hierarchical --coplanar 1", "1", "0", None),
+        ("--extent hull", "0", "0", None),
+    ] {
+        let outcome = bench.run(&format!("cube.off {line} --json cube.json"));
+        outcome.assert_success();
+        let record = bench.read("cube.json");
+        for (name, value) in [("coplanar", coplanar), ("min_dihedral", angle)] {
+            let member = |end: &str| format!("\"{name}\": {value}{end}");
+            assert!(
+                record.contains(&member(",")) || record.contains(&member(".0,")),
+                "{line}: no {name} {value} in {record}"
+            );
+        }
+        match told {
+            Some(told) => assert!(outcome.stdout.contains(told), "{line}: {}", outcome.stdout),
+            None => assert!(!outcome.stdout.contains("as nothing else"), "{}", outcome.stdout),
+        }
+    }
+}
+
+/// Faults of a surface are told, with the places, and written as cells.
+#[test]
+fn surfaces_are_diagnosed() {
+    let bench = Workbench::new("facets_diagnosed");
+    bench.write("cube.off", CUBE);
+    // Two triangles that cross, a third on an edge of the first one turned round, one without an
+    // area and one that is there twice.
+    bench.write(
+        "bad.off",
+        "OFF\n10 6 0\n0 0 0\n4 0 0\n0 4 0\n1 1 -1\n1 1 1\n9 9 1\n2 0 3\n7 7 7\n8 8 8\n9 9 9\n\
+         3 0 1 2\n3 3 4 5\n3 0 1 6\n3 7 8 9\n3 5 6 7\n3 5 6 7\n",
+    );
+    bench.run("bad.off --diagnose bad.vtu").assert_success();
+    let outcome = bench.run("bad.off --diagnose bad.vtu");
+    for words in [
+        "10 points, 6 triangles in bad.off\n",
+        "edges       7 edges where one triangle ends and no other begins\n",
+        "            4 edges of two triangles that are turned round\n",
+        "faults      1 triangle without an area\n",
+        "            1 pair that crosses",
+        "            1 triangle with the vertices of an earlier one\n",
+        "triangle 0 crosses triangle 1, at (1.5, 1.5, 0)",
+        "triangle 3 has no area, at (7, 7, 7)\n",
+    ] {
+        assert!(outcome.stdout.contains(words), "no {words:?} in {}", outcome.stdout);
+    }
+    let file = String::from_utf8_lossy(&bench.bytes("bad.vtu")).into_owned();
+    assert!(file.contains(r#"<Piece NumberOfPoints="10" "#), "{file}");
+    let outcome = bench.run("cube.off --diagnose none.vtu");
+    outcome.assert_success();
+    assert!(outcome.stdout.contains("edges       0 edges where one facet ends"));
+    for (line, code, words) in [
+        ("bad.off --diagnose -", 2, "--diagnose needs the name of a file"),
+        ("bad.off --diagnose bad.off", 2, "this is the input"),
+        ("bad.off --points --diagnose a.vtu", 2, "has no facets; --diagnose is for surfaces"),
+        ("bad.off --diagnose a.vtu -o b.vtu", 2, "cannot be used with"),
+    ] {
+        bench.run(line).assert_failure(code, &[words]);
+    }
+}
+
 /// A domain is meshed to what its facets enclose, and every format has its parts.
 #[test]
 fn a_surface_is_meshed_to_what_it_encloses() {

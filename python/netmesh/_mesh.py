@@ -136,8 +136,8 @@ def mesh(
         number of segments or facets; 'winding': regions whose winding number, by the directions of
         the segments or the normals of the facets, is not 0.
     crossings : {'refuse', 'split'}
-        Treatment of segments in 2D that cross where no input is. 'refuse': the run is refused;
-        'split': the double nearest to the crossing becomes a vertex of both.
+        Treatment of segments, in 3D of facets too, that cross where no input is. 'refuse': the run
+        is refused; 'split': the double nearest to the crossing becomes a vertex of both.
     coplanar : float
         Angle from flat in degrees, in 3D, up to which triangles of a surface that share an edge and
         have one marker are one facet, and facets may be bent; by default only as far as roundings

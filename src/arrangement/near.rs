@@ -45,6 +45,22 @@ impl<const D: usize> Near<D> {
     /// Returns true if a vertex other than `x` itself is in the box about `x` that extends by these
     /// `widths` on both sides of each axis. Expected O(log n).
     pub fn has_beside(&mut self, x: &[f64; D], widths: &[f64; D]) -> AllocResult<bool> {
+        let mut is_found = false;
+        self.each_in_box(x, widths, |_, y| {
+            is_found |= y != x;
+            Ok(!is_found)
+        })?;
+        Ok(is_found)
+    }
+
+    /// Calls `visit` with the vertices in the box about `x` that extends by these `widths` on both
+    /// sides of each axis, until it returns false. Expected O(log n) for each.
+    pub fn each_in_box(
+        &mut self,
+        x: &[f64; D],
+        widths: &[f64; D],
+        mut visit: impl FnMut(u32, &[f64; D]) -> AllocResult<bool>,
+    ) -> AllocResult<()> {
         let is_apart = |[low, high]: [&[f64; D]; 2]| {
             (0..D).any(|k| low[k] - x[k] > widths[k] || x[k] - high[k] > widths[k])
         };
@@ -57,15 +73,15 @@ impl<const D: usize> Near<D> {
             }
             if node < leaves {
                 self.waiting.try_extend(&[2 * node + 1, 2 * node])?;
-            } else if self
-                .tree
-                .members::<D>(node - leaves)
-                .any(|(_, y)| y != x && !is_apart([y, y]))
-            {
-                return Ok(true);
+                continue;
+            }
+            for (vertex, y) in self.tree.members::<D>(node - leaves) {
+                if !is_apart([y, y]) && !visit(vertex, y)? {
+                    return Ok(());
+                }
             }
         }
-        Ok(false)
+        Ok(())
     }
 
     /// Appends to `found` all vertices that are near the piece between two points, and perhaps some

@@ -62,6 +62,18 @@ impl<const D: usize> Reach<D> {
         }
     }
 
+    /// Returns the reach of a segment whose points were computed with larger coordinates, of which
+    /// these are the units in the last place.
+    pub fn widened(mut self, units: &[f64; D]) -> Self {
+        for (own, unit) in self.units.iter_mut().zip(units) {
+            *own = own.max(*unit);
+        }
+        let steps =
+            |k: usize| (self.ends[1][k] - self.ends[0][k]).abs().min(f64::MAX) / self.units[k];
+        self.is_long = (0..D).any(|k| steps(k) >= SHORTEST);
+        self
+    }
+
     /// Returns the position of a point along the segment: by the axis on which the segment is
     /// longest, and by the other axes where that is equal.
     pub fn position(&self, x: &[f64; D]) -> Position<D> {
@@ -120,8 +132,13 @@ impl<const D: usize> Reach<D> {
 
     /// Returns true if a point is near the straight segment and between its ends.
     pub fn holds(&self, x: &[f64; D]) -> bool {
+        self.is_between(x) && self.is_near(self.ends.each_ref(), x)
+    }
+
+    /// Returns true if the position of a point is between those of the ends.
+    pub fn is_between(&self, x: &[f64; D]) -> bool {
         let [from, position, to] = [&self.ends[0], x, &self.ends[1]].map(|x| self.position(x));
-        from < position && position < to && self.is_near(self.ends.each_ref(), x)
+        from < position && position < to
     }
 
     /// Returns the distance of a point from the straight segment, in units in the last place.

@@ -88,15 +88,17 @@ pub enum Criterion {
     RadiusEdge = 1,
 }
 
-/// Treatment of segments in the plane that cross where no input is. In space neither segments nor
-/// facets may cross.
+/// Treatment of segments, in space of facets too, that cross where no input is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(i32)]
 pub enum Crossings {
-    /// The run is refused as an invalid argument, and the message names two of the segments.
+    /// The run is refused as an invalid argument, and the message names two of them.
     #[default]
     Refuse = 0,
-    /// The double nearest to their crossing becomes a vertex of both.
+    /// The double nearest to the crossing of two segments becomes a vertex of both. In space,
+    /// points where an edge or segment meets a facet or another edge become vertices of both, but
+    /// for roundings, and the line along which two facets meet becomes an edge of both; triangles
+    /// without an area are left out. Facets that overlap are refused.
     Split = 1,
 }
 
@@ -106,7 +108,8 @@ pub enum Crossings {
 #[repr(i32)]
 pub enum Interior {
     /// [`Interior::Parity`] where the segments are those of a file of polygons (GeoJSON, WKT),
-    /// [`Interior::Seeds`] otherwise. The options of the finished run tell which it was.
+    /// [`Interior::Winding`] where triangles in space are surfaces that are closed and oriented
+    /// alike, [`Interior::Seeds`] otherwise. The options of the finished run tell which it was.
     #[default]
     Auto = 0,
     /// All that cannot be reached from outside without crossing a segment, in space a facet, is

@@ -67,7 +67,7 @@ where `extent` is auto or boundary; seeds may make holes of them.",
             Crossings crossings: Crossings {
                 default: Crossings::Refuse, group: Domain, on_ranks: false,
                 kind: words::<Crossings>(),
-                help: "Treatment of segments in 2D that cross where no input is.",
+                help: "Treatment of segments, in 3D of facets too, that cross where no input is.",
             }
             Coplanar coplanar: f64 {
                 default: 0.0, group: Domain, on_ranks: false,

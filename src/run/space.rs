@@ -18,6 +18,11 @@ impl Mesh {
         self.inputs().dim() == 3 && (has_own || has_frame)
     }
 
+    /// Returns true if the facets are triangles of surfaces in space.
+    pub(super) fn has_surface(&self) -> bool {
+        self.inputs().dim() == 3 && self.given_facets().are_triangles
+    }
+
     /// Returns the options with the extent that [`Extent::Auto`] stands for, and the arrangement of
     /// the facets and segments in space.
     pub(super) fn arrangement_in_space(
@@ -25,12 +30,14 @@ impl Mesh {
         options: &Options,
         poll: Poll<'_>,
     ) -> Result<(Options, Option<Arrangement>)> {
-        let Options { extent, interior, coplanar, .. } = *options;
-        self.check_extent_in_space(extent, interior)?;
+        let Options { extent, coplanar, crossings, .. } = *options;
+        self.check_extent_in_space(extent, options.interior)?;
         let (inputs, facets, segments) = (self.inputs(), self.given_facets(), self.segments());
         let regions = self.regions();
-        let task = TaskInSpace { inputs, facets, segments, regions, coplanar, extent };
+        let task = TaskInSpace { inputs, facets, segments, regions, coplanar, extent, crossings };
         let arrangement = arrange_in_space(&task, poll)?;
+        let interior = self.interior_in_space(options, &arrangement)?;
+        let options = &Options { interior, ..options.clone() };
         let options = match extent {
             Extent::Auto if encloses_in_space(inputs, &arrangement, interior)? => {
                 Options { extent: Extent::Boundary, ..options.clone() }
@@ -42,6 +49,20 @@ impl Mesh {
             check_closed_in_space(inputs, &arrangement, interior)?;
         }
         Ok((options, Some(arrangement)))
+    }
+
+    /// Returns the rule that [`Interior::Auto`] stands for: the winding number where surfaces are
+    /// closed and their triangles are oriented alike, so that shells in shells are hollow.
+    fn interior_in_space(&self, options: &Options, arrangement: &Arrangement) -> Result<Interior> {
+        let ends_there = matches!(options.extent, Extent::Auto | Extent::Boundary);
+        let is_oriented = || encloses_in_space(self.inputs(), arrangement, Interior::Winding);
+        Ok(match options.interior {
+            Interior::Auto if self.has_surface() && ends_there && is_oriented()? => {
+                Interior::Winding
+            }
+            Interior::Auto => Interior::Seeds,
+            given => given,
+        })
     }
 
     fn check_extent_in_space(&self, extent: Extent, interior: Interior) -> Result<()> {

@@ -8,6 +8,7 @@ use crate::mesh::{Arrangement, Inputs};
 use crate::numerics::{coordinates, orientation};
 use crate::options::Interior;
 use std::cmp::Ordering;
+use std::fmt::{self, Display, Formatter};
 
 /// Fails unless the facets of an arrangement form closed surfaces. For parity, every edge must be
 /// one of an even number of triangles; for winding, as many triangles must run through it in one
@@ -21,7 +22,7 @@ pub fn check_closed_in_space(
     interior: Interior,
 ) -> Result<()> {
     match first_open(arrangement, interior)? {
-        Some((ends, counts)) => Err(open_at(inputs, ends, counts, interior)),
+        Some((ends, counts)) => Err(open_at(inputs, arrangement, ends, counts, interior)),
         None => Ok(()),
     }
 }
@@ -51,7 +52,8 @@ pub fn encloses_in_space(
 }
 
 /// Returns the first edge at which a surface is open, with the numbers of triangles that run
-/// through it upwards and downwards. [`Interior::Seeds`] does not need closed surfaces.
+/// through it upwards and downwards, those that are there several times counted so.
+/// [`Interior::Seeds`] does not need closed surfaces.
 fn first_open(
     arrangement: &Arrangement,
     interior: Interior,
@@ -60,9 +62,16 @@ fn first_open(
         return Ok(None);
     }
     let triangles = collected(arrangement.triangles.iter().map(|triangle| triangle.vertices))?;
+    let balance = |side: &Side| {
+        let facet = arrangement.triangles[side.triangle as usize].facet;
+        arrangement.facets[facet as usize].balance
+    };
     for group in Sides::of_triangles(&triangles)?.groups() {
-        let up = group.iter().filter(|side| side.runs_up(&triangles)).count() as u64;
-        let down = group.len() as u64 - up;
+        let (mut up, mut down) = (0, 0);
+        for side in group {
+            let runs_up = side.runs_up(&triangles) == (balance(side) > 0);
+            *if runs_up { &mut up } else { &mut down } += balance(side).unsigned_abs();
+        }
         let is_open = match interior {
             Interior::Parity => (up + down) % 2 != 0,
             _ => up != down,
@@ -74,23 +83,57 @@ fn first_open(
     Ok(None)
 }
 
-fn open_at(inputs: &Inputs, ends: [u32; 2], [up, down]: [u64; 2], interior: Interior) -> Error {
-    let [from, to] = ends.map(|end| inputs.first_input(end as usize).unwrap_or(0));
+fn open_at(
+    inputs: &Inputs,
+    arrangement: &Arrangement,
+    ends: [u32; 2],
+    [up, down]: [u64; 2],
+    interior: Interior,
+) -> Error {
+    let [from, to] = ends.map(|end| End { inputs, arrangement, vertex: end as usize });
     let all = up + down;
     let rule = Choice::Interior(interior);
     let message = match interior {
         Interior::Parity => say!(
-            "the edge between inputs {from} and {to} is one of {all} triangles; with ",
+            "the edge between {from} and {to} is one of {all} triangles; with ",
             rule,
             " that number must be even at every edge, so that all surfaces are closed"
         ),
         _ => say!(
-            "{up} triangles run from input {from} to {to} and {down} back; with ",
+            "{up} triangles run from {from} to {to} and {down} back; with ",
             rule,
             " these must be equally many at every edge, so that all surfaces are closed"
         ),
     };
     Error::new(ErrorKind::InvalidArgument, message)
+}
+
+/// End of an edge, as the caller knows it.
+struct End<'a> {
+    inputs: &'a Inputs,
+    arrangement: &'a Arrangement,
+    vertex: usize,
+}
+
+impl<'a> End<'a> {
+    fn point(&self) -> &'a [f64; 3] {
+        match self.vertex.checked_sub(self.inputs.distinct()) {
+            None => coordinates(self.inputs.distinct_point(self.vertex), 0),
+            Some(crossing) => &self.arrangement.corners[crossing],
+        }
+    }
+}
+
+impl Display for End<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self.inputs.first_input(self.vertex) {
+            Some(input) => write!(f, "input {input}"),
+            None => {
+                let [x, y, z] = self.point();
+                write!(f, "the crossing at ({x}, {y}, {z})")
+            }
+        }
+    }
 }
 
 /// Returns true if the facets divide space.
@@ -108,7 +151,7 @@ fn separates(inputs: &Inputs, arrangement: &Arrangement) -> Result<bool> {
         around.clear();
         around.try_extend(group)?;
         if around.len() > 2 {
-            sort_around(inputs, &triangles, &mut around);
+            sort_around(inputs, arrangement, &triangles, &mut around);
         }
         for (at, one) in around.iter().enumerate() {
             let next = &around[(at + 1) % around.len()];
@@ -124,9 +167,13 @@ fn separates(inputs: &Inputs, arrangement: &Arrangement) -> Result<bool> {
 }
 
 /// Sorts the triangles at an edge counterclockwise, as the edge points to the eye.
-fn sort_around(inputs: &Inputs, triangles: &[[u32; 3]], around: &mut [Side]) {
-    let point =
-        |vertex: u32| -> &[f64; 3] { coordinates(inputs.distinct_point(vertex as usize), 0) };
+fn sort_around(
+    inputs: &Inputs,
+    arrangement: &Arrangement,
+    triangles: &[[u32; 3]],
+    around: &mut [Side],
+) {
+    let point = |vertex: u32| End { inputs, arrangement, vertex: vertex as usize }.point();
     let [from, to] = around[0].ends.map(point);
     let first = point(around[0].within(triangles).1);
     let turn = |a: &[f64; 3], b: &[f64; 3]| orientation(&[from, to, a, b]);

@@ -1,8 +1,9 @@
 //! The words for facets that are refused.
 
 use super::plane::OffPlane;
-use crate::error::{Error, Message, Name, say};
+use crate::error::{Choice, Error, Message, Name, say};
 use crate::mesh::{Facets, Feature, Inputs, Intersection, IntersectionKind};
+use crate::options::Crossings;
 
 /// Returns the error that a facet is not plane.
 pub(super) fn not_plane(inputs: &Inputs, facet: u32, off: &OffPlane) -> Error {
@@ -14,8 +15,14 @@ pub(super) fn not_plane(inputs: &Inputs, facet: u32, off: &OffPlane) -> Error {
     ))
 }
 
-/// Returns the error that facets or segments meet though they must not.
-pub(super) fn refused(facets: &Facets, first: &Intersection, count: usize) -> Error {
+/// Returns the error that facets or segments meet though they must not: because they are not split,
+/// or because doubles have no room for their crossings.
+pub(super) fn refused(
+    facets: &Facets,
+    first: &Intersection,
+    count: usize,
+    crossings: Crossings,
+) -> Error {
     let mut message = Message::default();
     add_feature(&mut message, facets, first.first);
     let verb = match first.kind {
@@ -39,6 +46,17 @@ pub(super) fn refused(facets: &Facets, first: &Intersection, count: usize) -> Er
     message.add_text(format_args!(" near ({x}, {y}, {z}); {rule}"));
     if count > 1 {
         message.add_text(format_args!("; {count} intersections in all"));
+    }
+    match crossings {
+        Crossings::Refuse if first.kind != IntersectionKind::ZeroArea => {
+            message.add_text(format_args!("; with "));
+            message.add_name(Choice::Crossings(Crossings::Split).into());
+            message.add_text(format_args!(" they are split there"));
+        }
+        Crossings::Refuse => {}
+        Crossings::Split => message.add_text(format_args!(
+            "; some still meet after they were split: they overlap, or doubles have no room there"
+        )),
     }
     Error::invalid(message)
 }

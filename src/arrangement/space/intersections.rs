@@ -1,7 +1,7 @@
 //! All pairs of facets and segments that meet though they must not.
 
 use super::boxes::{Bounds, BoxTree, bounds_of};
-use super::meet::meet;
+use super::meet::{Meeting, meet};
 use super::pieces::{Piece, Pieces};
 use crate::arrangement::poll::Poll;
 use crate::error::Result;
@@ -29,12 +29,31 @@ pub(super) fn all(
     pieces: &Pieces,
     poll: Poll<'_>,
 ) -> Result<Vec<Intersection>> {
+    let mut found: Vec<Found> = Vec::new();
+    each_meeting(points, pieces, poll, |pair, meeting| {
+        let [a, b] = pair.map(|piece| &pieces.all[piece as usize]);
+        let kind = meeting.kind([a.inner, b.inner]);
+        let features = [a.feature, b.feature];
+        found.try_push(Found { features, rank: Reverse(kind.rank()), pieces: pair, kind })
+    })?;
+    found.sort_unstable();
+    found.dedup_by_key(|found| found.features);
+    with_faults(points, pieces, &found)
+}
+
+/// Calls `visit` with all pairs of pieces that meet though they must not, of which the first has
+/// the smaller number. Triangles of one facet are not tested. O((n + k) log n), as for [`all`].
+pub(super) fn each_meeting(
+    points: &[[f64; 3]],
+    pieces: &Pieces,
+    poll: Poll<'_>,
+    mut visit: impl FnMut([u32; 2], &Meeting) -> AllocResult<()>,
+) -> Result<()> {
     let all = &pieces.all;
     let bounds = |piece: &Piece| -> Bounds {
         bounds_of(piece.vertices().iter().map(|&vertex| &points[vertex as usize]))
     };
     let boxes = collected(all.iter().map(bounds))?;
-    let mut found: Vec<Found> = Vec::new();
     let mut work = 0;
     let visit = |pair: [u32; 2], poll: Poll<'_>| {
         work += WORK;
@@ -46,19 +65,15 @@ pub(super) fn all(
         if a.feature == b.feature && !are_lines {
             return Ok(());
         }
-        if let Some(meeting) = meet(points, a.vertices(), b.vertices()) {
-            let kind = meeting.kind([a.inner, b.inner]);
-            let features = [a.feature, b.feature];
-            found.try_push(Found { features, rank: Reverse(kind.rank()), pieces: pair, kind })?;
+        match meet(points, a.vertices(), b.vertices()) {
+            Some(meeting) => Ok(visit(pair, &meeting)?),
+            None => Ok(()),
         }
-        Ok(())
     };
-    if !boxes.is_empty() {
-        BoxTree::new(&boxes)?.each_pair(poll, visit)?;
+    match boxes.is_empty() {
+        true => Ok(()),
+        false => BoxTree::new(&boxes)?.each_pair(poll, visit),
     }
-    found.sort_unstable();
-    found.dedup_by_key(|found| found.features);
-    with_faults(points, pieces, &found)
 }
 
 /// Returns the intersections that were found, with the faults of single facets among them.

@@ -26,6 +26,17 @@ pub(super) struct Isolated {
     on_edges: Vec<([u32; 2], u32, u64)>,
     /// Facet, a vertex in it, and its distance; sorted, each vertex once.
     in_facets: Vec<(u32, u32, u64)>,
+    /// Facet, and a line in it between two vertices, the smaller one first; sorted, each once.
+    lines: Vec<(u32, [u32; 2])>,
+}
+
+/// Vertices on edges, given by their ends with the smaller one first, vertices in facets and lines
+/// in facets, in any order and any number of times.
+#[derive(Default)]
+pub(super) struct Added {
+    pub on_edges: Vec<([u32; 2], u32)>,
+    pub in_facets: Vec<(u32, u32)>,
+    pub lines: Vec<(u32, [u32; 2])>,
 }
 
 /// Place of an isolated input: the edge that it is on, or a facet.
@@ -55,6 +66,43 @@ impl Isolated {
     /// Returns the vertices in a facet.
     pub fn within(&self, facet: u32) -> impl Iterator<Item = u32> {
         self.in_facets[self.range_within(facet)].iter().map(|within| within.1)
+    }
+
+    /// Returns the lines in a facet.
+    pub fn lines_in(&self, facet: u32) -> impl Iterator<Item = [u32; 2]> {
+        let begin = self.lines.partition_point(|line| line.0 < facet);
+        let end = self.lines.partition_point(|line| line.0 <= facet);
+        self.lines[begin..end].iter().map(|line| line.1)
+    }
+
+    /// Returns the lines in all facets, each with its facet.
+    pub fn lines(&self) -> impl Iterator<Item = ([u32; 2], u32)> {
+        self.lines.iter().map(|&(facet, line)| (line, facet))
+    }
+
+    /// Adds vertices on edges, vertices in facets and lines in facets. Returns true if any of them
+    /// is new. O(n log n) for n of all there are.
+    pub fn extend(&mut self, points: &[[f64; 3]], added: &Added) -> AllocResult<bool> {
+        let count = |own: &Self| [own.on_edges.len(), own.in_facets.len(), own.lines.len()];
+        let before = count(self);
+        for &(edge, vertex) in &added.on_edges {
+            self.on_edges.try_push((edge, vertex, 0))?;
+        }
+        for &(facet, vertex) in &added.in_facets {
+            self.in_facets.try_push((facet, vertex, 0))?;
+        }
+        self.lines.try_extend(&added.lines)?;
+        self.on_edges.sort_unstable();
+        self.on_edges.dedup_by_key(|on| (on.0, on.1));
+        for own in self.on_edges.chunk_by_mut(|a, b| a.0 == b.0) {
+            let reach = Reach::of(own[0].0.map(|end| &points[end as usize]));
+            own.sort_unstable_by_key(|on| reach.position(&points[on.1 as usize]));
+        }
+        self.in_facets.sort_unstable();
+        self.in_facets.dedup_by_key(|within| (within.0, within.1));
+        self.lines.sort_unstable();
+        self.lines.dedup();
+        Ok(count(self) != before)
     }
 
     fn range_within(&self, facet: u32) -> Range<usize> {

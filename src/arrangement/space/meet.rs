@@ -73,6 +73,11 @@ impl Meeting {
         point_between(&first, &last, 0.5)
     }
 
+    /// Returns the corners of what both share, each as the least face of either that holds it.
+    pub fn corners(&self) -> &[[Face; 2]] {
+        &self.corners[..self.count]
+    }
+
     fn new() -> Self {
         Self { corners: [[0; 2]; MOST_CORNERS], count: 0, are_triangles: false }
     }
@@ -266,7 +271,7 @@ fn segments(points: &[[f64; 3]], both: [&[u32]; 2]) -> Option<Meeting> {
 }
 
 /// Returns the corner of a meeting that is in these faces, but for roundings.
-fn corner(points: &[[f64; 3]], both: [&[u32]; 2], faces: [Face; 2]) -> [f64; 3] {
+pub(super) fn corner(points: &[[f64; 3]], both: [&[u32]; 2], faces: [Face; 2]) -> [f64; 3] {
     let vertices = |which: usize| {
         let own = both[which].iter().enumerate();
         own.filter(move |(at, _)| faces[which] >> at & 1 == 1).map(|(_, &vertex)| vertex)
@@ -285,8 +290,8 @@ fn corner(points: &[[f64; 3]], both: [&[u32]; 2], faces: [Face; 2]) -> [f64; 3] 
     if let [Some(a), Some(b), Some(c)] = through {
         let volume =
             |x: &[f64; 3]| Edges::new(a, [b, c, x].into_iter()).determinant_of_components();
-        if let Some(share) = share(volume(p), volume(q)) {
-            return point_between(p, q, share);
+        if let Some(distances) = distances(volume(p), volume(q)) {
+            return divided(p, q, distances);
         }
     }
     // Two edges in one plane.
@@ -298,15 +303,31 @@ fn corner(points: &[[f64; 3]], both: [&[u32]; 2], faces: [Face; 2]) -> [f64; 3] 
             let x = projection.image(x);
             Edges::new(&r, [&s, &x].into_iter()).determinant_of_components()
         };
-        share(area(p), area(q))
+        distances(area(p), area(q))
     };
-    let share = Projection::ALL.into_iter().find_map(crossing);
-    share.map_or(*p, |share| point_between(p, q, share))
+    let distances = Projection::ALL.into_iter().find_map(crossing);
+    distances.map_or(*p, |distances| divided(p, q, distances))
 }
 
-/// Returns the share of the way from a point to another at which a plane or line is, given numbers
-/// `m 2^e` as `(m, e)` in proportion to their distances from it; `None` if both are zero.
-fn share((p, p_exponent): (f64, i64), (q, q_exponent): (f64, i64)) -> Option<f64> {
+/// Returns the point that divides the way from a point to another by these distances, each
+/// coordinate with an error of a rounding or two of the larger one. What is exact in doubles has
+/// none.
+fn divided(p: &[f64; 3], q: &[f64; 3], [near, far]: [f64; 2]) -> [f64; 3] {
+    // No sum of products overflows then.
+    let [near, far] = [0.125 * near, 0.125 * far];
+    from_fn(|k| {
+        let (a, b) = (p[k] * far, q[k] * near);
+        let sum = a + b;
+        let rest = (a - (sum - b)) + (b - (sum - (sum - b)));
+        let rounded = p[k].mul_add(far, -a) + q[k].mul_add(near, -b) + rest;
+        ((sum + rounded) / (near + far)).clamp(p[k].min(q[k]), p[k].max(q[k]))
+    })
+}
+
+/// Returns the distances of two points from a plane or line between them, given numbers `m 2^e` as
+/// `(m, e)` in proportion to these, in units in which the larger is about 1; `None` if both are
+/// zero.
+fn distances((p, p_exponent): (f64, i64), (q, q_exponent): (f64, i64)) -> Option<[f64; 2]> {
     if p == 0.0 && q == 0.0 {
         return None;
     }
@@ -317,5 +338,5 @@ fn share((p, p_exponent): (f64, i64), (q, q_exponent): (f64, i64)) -> Option<f64
     };
     let near = scale_by_power(p.abs(), p_exponent - top);
     let far = scale_by_power(q.abs(), q_exponent - top);
-    Some(near / (near + far))
+    Some([near, far])
 }

@@ -1,4 +1,4 @@
-//! Triangles of a surface that share edges, lie in one plane and have one marker, as one facet.
+//! Triangles of a surface that share edges, lie in one plane and are of one kind, as one facet.
 
 use super::bends::{Hinge, ROUNDING, normal, normalized, sine_of};
 use super::projection::Projection;
@@ -23,13 +23,13 @@ const WORK: u32 = 2;
 pub(super) fn merged(
     points: &[[f64; 3]],
     triangles: &[[u32; 3]],
-    markers: &[i32],
+    kinds: &[u32],
     origins: &[u32],
     coplanar: f64,
     poll: Poll<'_>,
 ) -> Result<Vec<u32>> {
     let sine = sine_of(coplanar);
-    let neighbors = flat_neighbors(points, triangles, markers, origins, sine, poll)?;
+    let neighbors = flat_neighbors(points, triangles, kinds, origins, sine, poll)?;
     let corners = |triangle: u32| triangles[triangle as usize].map(|v| &points[v as usize]);
     let size = |triangle: u32| {
         let (normal, exponent) = normalized(normal(corners(triangle)));
@@ -105,12 +105,12 @@ fn unit_normal(corners: [&[f64; 3]; 3]) -> [f64; 3] {
     normal.map(|x| x / length)
 }
 
-/// Returns for each triangle those beyond an edge at which the two are flat and have one marker, or
-/// are parts of one.
+/// Returns for each triangle those beyond an edge at which the two are flat and of one kind, or are
+/// parts of one.
 fn flat_neighbors(
     points: &[[f64; 3]],
     triangles: &[[u32; 3]],
-    markers: &[i32],
+    kinds: &[u32],
     origins: &[u32],
     sine: f64,
     poll: Poll<'_>,
@@ -125,7 +125,7 @@ fn flat_neighbors(
                 let (edge, c) = one.within(triangles);
                 let ([to, from], d) = other.within(triangles);
                 let [t, u] = [one, other].map(|side| side.triangle);
-                let are_alike = markers[t as usize] == markers[u as usize];
+                let are_alike = kinds[t as usize] == kinds[u as usize];
                 let hinge = Hinge { edge: edge.map(point), apexes: [c, d].map(point) };
                 let are_parts = origins[t as usize] == origins[u as usize];
                 let are_flat = are_parts || are_alike && hinge.is_flat(sine);

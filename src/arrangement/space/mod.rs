@@ -19,6 +19,7 @@ mod bends;
 mod boxes;
 mod closed;
 mod crossed;
+mod duplicates;
 mod faults;
 #[cfg(test)]
 mod file_tests;
@@ -32,6 +33,7 @@ mod meet;
 #[cfg(test)]
 mod meet_tests;
 mod merge;
+mod odd_edges;
 #[cfg(test)]
 mod oracle;
 mod pieces;
@@ -42,10 +44,13 @@ mod polygon;
 mod polygon_tests;
 mod projection;
 mod sides;
+mod split;
 #[cfg(test)]
 mod tests;
 
 pub use closed::{check_closed_in_space, encloses_in_space};
+pub use duplicates::count_duplicates;
+pub use odd_edges::find_odd_edges;
 
 use super::poll::Poll;
 use crate::error::Result;
@@ -55,7 +60,7 @@ use crate::mesh::{
     Segments,
 };
 use crate::numerics::coordinates;
-use crate::options::Extent;
+use crate::options::{Crossings, Extent};
 use faults::{not_plane, refused};
 use fit::Fitted;
 use isolated::Isolated;
@@ -72,6 +77,7 @@ pub struct TaskInSpace<'a> {
     pub coplanar: f64,
     /// A box or hull has facets of its own.
     pub extent: Extent,
+    pub crossings: Crossings,
 }
 
 /// Returns the arrangement of facets and segments between inputs in space, and of the boundary of a
@@ -90,11 +96,14 @@ pub fn arrange_in_space(task: &TaskInSpace<'_>, poll: Poll<'_>) -> Result<Arrang
         return Err(not_plane(inputs, *facet, off));
     }
     let found = intersections::all(&points, &pieces, poll)?;
-    if let Some(first) = found.first() {
-        return Err(refused(facets, first, found.len()));
-    }
     let mut arrangement = Arrangement { regions: copied(task.regions)?, ..Arrangement::default() };
-    if let Some((through, isolated)) = through_isolated(&points, task, &pieces, poll)? {
+    if let Some(first) = found.first() {
+        let split = match task.crossings {
+            Crossings::Refuse => None,
+            Crossings::Split => split::split(&mut points, task, &pieces, poll)?,
+        };
+        pieces = split.ok_or_else(|| refused(facets, first, found.len(), task.crossings))?;
+    } else if let Some((through, isolated)) = through_isolated(&points, task, &pieces, poll)? {
         pieces = through;
         isolated.offsets().for_each(|offset| arrangement.note_offset(offset));
     }
@@ -102,11 +111,10 @@ pub fn arrange_in_space(task: &TaskInSpace<'_>, poll: Poll<'_>) -> Result<Arrang
         true => add_surface(&points, task, &pieces.all, &mut arrangement, poll)?,
         false => add_polygons(facets, &pieces.all, &mut arrangement)?,
     }
-    let own = points.len();
     if let Some(fitted) = fit::fitted(&mut points, task.extent, &pieces, poll)? {
         add_frame(&fitted, &mut arrangement)?;
-        arrangement.corners = copied(&points[own..])?;
     }
+    arrangement.corners = copied(&points[inputs.distinct()..])?;
     let mut parts = with_capacity(segments.inputs.len())?;
     for piece in &pieces.all {
         if let (Feature::Segment(segment), &[from, to]) = (piece.feature, piece.vertices()) {
@@ -155,7 +163,8 @@ pub fn find_intersections(
 ) -> Result<Vec<Intersection>> {
     let points = points_of(inputs)?;
     let (regions, coplanar, extent) = (&[], 0.0, Extent::All);
-    let task = TaskInSpace { inputs, facets, segments, regions, coplanar, extent };
+    let crossings = Crossings::Refuse;
+    let task = TaskInSpace { inputs, facets, segments, regions, coplanar, extent, crossings };
     let pieces = Pieces::new(&points, &task, &Isolated::default(), poll)?;
     intersections::all(&points, &pieces, poll)
 }
@@ -176,13 +185,17 @@ fn add_surface(
     let triangles = collected(pieces.iter().filter_map(Piece::triangle))?;
     let own = pieces.iter().filter(|piece| piece.triangle().is_some());
     let of = collected(own.filter_map(Piece::facet))?;
-    let markers = collected(of.iter().map(|&facet| task.facets.markers[facet as usize]))?;
-    let firsts = merge::merged(points, &triangles, &markers, &of, task.coplanar, poll)?;
+    let balances = duplicates::balances(task)?;
+    let balance = |facet: u32| balances[facet as usize].unwrap_or(1);
+    let kind = |&facet: &u32| (task.facets.markers[facet as usize], balance(facet));
+    let kinds = numbered(of.iter().map(kind))?;
+    let firsts = merge::merged(points, &triangles, &kinds, &of, task.coplanar, poll)?;
     let mut numbers = filled(triangles.len(), NONE)?;
     for (triangle, &first) in firsts.iter().enumerate().filter(|&(at, &first)| at == first as usize)
     {
         numbers[triangle] = arrangement.facets.len() as u32;
-        arrangement.facets.try_push(ArrangedFacet { parent: of[first as usize], balance: 1 })?;
+        let parent = of[first as usize];
+        arrangement.facets.try_push(ArrangedFacet { parent, balance: balance(parent) })?;
     }
     let numbered = || firsts.iter().map(|&first| numbers[first as usize]).zip(0u32..);
     let of_facets = Lists::of_pairs(arrangement.facets.len(), numbered)?;
@@ -192,6 +205,14 @@ fn add_surface(
         arrangement.triangles.extend(made);
     }
     Ok(())
+}
+
+/// Returns the place of each value among those that differ.
+fn numbered<T: Copy + Ord>(values: impl Iterator<Item = T> + Clone) -> AllocResult<Vec<u32>> {
+    let mut all = collected(values.clone())?;
+    all.sort_unstable();
+    all.dedup();
+    collected(values.map(|value| all.partition_point(|other| *other < value) as u32))
 }
 
 /// Adds the sides of a box or hull, which are facets of none of the caller's.

@@ -3,6 +3,7 @@
 use super::TaskInSpace;
 use super::bends::are_flat;
 use super::crossed::meeting_of_edges;
+use super::duplicates::balances;
 use super::isolated::Isolated;
 use super::meet::Face;
 use super::plane::{OffPlane, Plane};
@@ -33,8 +34,18 @@ pub(super) struct Pieces {
     pub lines: Vec<[u32; 2]>,
     /// Facets that meet themselves, or have no area.
     pub faults: Vec<Intersection>,
+    pub untiled: Vec<Untiled>,
     /// First facet that is not plane, with its vertex that is farthest off.
     pub off_plane: Option<(u32, OffPlane)>,
+}
+
+/// Facet that meets itself, as a polygon in a plane.
+pub(super) struct Untiled {
+    pub polygon: Polygon,
+    pub plane: Plane,
+    pub facet: u32,
+    /// Number of the piece of the polygon's first edge, which those of the others follow.
+    pub first_piece: u32,
 }
 
 /// Bit for the interior of a segment.
@@ -81,7 +92,7 @@ impl Pieces {
         let mut pieces = Self::default();
         let mut maker = Maker { points, coplanar, isolated, pieces: &mut pieces };
         match facets.are_triangles {
-            true => maker.add_triangles(inputs, facets, poll)?,
+            true => maker.add_triangles(task, poll)?,
             false => maker.add_polygons(inputs, facets, segments, poll)?,
         }
         for (segment, ends) in (0u32..).zip(&segments.inputs) {
@@ -134,10 +145,14 @@ struct Maker<'a> {
 }
 
 impl Maker<'_> {
-    fn add_triangles(&mut self, inputs: &Inputs, facets: &Facets, poll: Poll<'_>) -> Result<()> {
+    fn add_triangles(&mut self, task: &TaskInSpace<'_>, poll: Poll<'_>) -> Result<()> {
+        let TaskInSpace { inputs, facets, .. } = *task;
+        let balances = balances(task)?;
+        let is_kept = |facet: &u32| balances[*facet as usize].is_some();
         let vertex = |input: u32| inputs.vertices()[input as usize];
         self.pieces.all = with_capacity(facets.count())?;
-        for (facet, own) in (0u32..).zip(facets.inputs.chunks_exact(3)) {
+        let triangles = (0u32..).zip(facets.inputs.chunks_exact(3));
+        for (facet, own) in triangles.filter(|(facet, _)| is_kept(facet)) {
             let vertices = [own[0], own[1], own[2]].map(vertex);
             let feature = Feature::Facet(facet);
             let corners = vertices.map(|vertex| &self.points[vertex as usize]);
@@ -145,7 +160,7 @@ impl Maker<'_> {
                 self.pieces.note_zero_area(feature, corners[0])?;
             } else if self.isolated.splits(vertices) || self.isolated.count_within(facet) > 0 {
                 let polygon = Polygon::new([own].into_iter(), vertex, self.isolated, facet)?;
-                self.add_polygon(facet, &polygon, &[], poll)?;
+                self.add_polygon(facet, polygon, &[], poll)?;
             } else {
                 self.pieces.all.try_push(Piece::of_triangle(vertices, INTERIOR, feature))?;
             }
@@ -168,9 +183,9 @@ impl Maker<'_> {
         }
         let parts = segments.inputs.iter().flat_map(|ends| self.isolated.chain(ends.map(vertex)));
         let edges = Edges::new(&polygons, parts)?;
-        for (facet, polygon) in (0u32..).zip(&polygons) {
+        for (facet, polygon) in (0u32..).zip(polygons) {
             poll(1)?;
-            let adopted = edges.within(polygon)?;
+            let adopted = edges.within(&polygon)?;
             self.add_polygon(facet, polygon, &adopted, poll)?;
         }
         Ok(())
@@ -179,13 +194,13 @@ impl Maker<'_> {
     fn add_polygon(
         &mut self,
         facet: u32,
-        polygon: &Polygon,
+        polygon: Polygon,
         adopted: &[[u32; 2]],
         poll: Poll<'_>,
     ) -> Result<()> {
         let feature = Feature::Facet(facet);
         if !polygon.has_sides() {
-            return Ok(self.add_edges(polygon, feature)?);
+            return Ok(self.add_edges(&polygon, feature)?);
         }
         let Some(plane) = Plane::of(self.points, &polygon.vertices) else {
             let first = self.points[polygon.vertices[0] as usize];
@@ -195,9 +210,12 @@ impl Maker<'_> {
         let off = off.filter(|_| self.pieces.off_plane.is_none()).map(|off| (facet, off));
         let Some(tiling) = polygon.tiling(self.points, &plane, adopted, poll)? else {
             self.pieces.off_plane = self.pieces.off_plane.or(off);
-            let (kind, point) = meeting_of_edges(self.points, polygon, &plane)?;
+            let (kind, point) = meeting_of_edges(self.points, &polygon, &plane)?;
             self.pieces.note(feature, kind, point)?;
-            return Ok(self.add_edges(polygon, feature)?);
+            let first_piece = self.pieces.all.len() as u32;
+            self.add_edges(&polygon, feature)?;
+            let untiled = Untiled { polygon, plane, facet, first_piece };
+            return Ok(self.pieces.untiled.try_push(untiled)?);
         };
         if tiling.triangles.is_empty() {
             let first = self.points[polygon.vertices[0] as usize];

@@ -56,7 +56,7 @@ struct Depth {
 impl Polygon {
     /// Makes the polygon of loops of vertices: three or more are a loop of sides, two a segment and
     /// one a vertex. Vertices that repeat the one before them count once. Sides and segments go
-    /// through the inputs that are on them, and those in the `facet` are vertices.
+    /// through the vertices on them, and those in the `facet` are vertices; lines in it are edges.
     pub fn new<'a>(
         loops: impl Iterator<Item = &'a [u32]>,
         vertex: impl Fn(u32) -> u32,
@@ -87,6 +87,11 @@ impl Polygon {
                 }
             }
             is_first &= own.len() < 3;
+        }
+        for ends in isolated.lines_in(facet).flat_map(|line| isolated.chain(line)) {
+            vertices.try_extend(&ends)?;
+            let ends = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+            all.try_push(PolygonEdge { ends, sides: 0, winding: 0 })?;
         }
         Self::of_parts(vertices, all)
     }

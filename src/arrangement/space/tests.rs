@@ -48,9 +48,13 @@ impl Case {
     }
 
     pub fn arranged(&self, coplanar: f64) -> Result<Arrangement> {
+        self.arranged_with(coplanar, Crossings::Refuse)
+    }
+
+    pub fn arranged_with(&self, coplanar: f64, crossings: Crossings) -> Result<Arrangement> {
         let Self { inputs, facets, segments } = self;
         let (regions, extent) = (&[][..], Extent::Auto);
-        let task = TaskInSpace { inputs, facets, segments, regions, coplanar, extent };
+        let task = TaskInSpace { inputs, facets, segments, regions, coplanar, extent, crossings };
         arrange_in_space(&task, &mut |_| Ok(()))
     }
 
@@ -233,12 +237,15 @@ fn surfaces_enclose_what_they_divide() {
             .map_err(|error| error.message().to_owned())
     };
     assert_eq!(check(&case, Interior::Seeds), Ok(()));
-    let parity = "the edge between inputs 0 and 3 is one of 3 triangles; with options.interior = \
-                  Interior::Parity that number must be even at every edge, so that all surfaces \
-                  are closed";
+    let parity = "the edge between input 0 and input 3 is one of 3 triangles; with \
+                  options.interior = Interior::Parity that number must be even at every edge, so \
+                  that all surfaces are closed";
     assert_eq!(check(&case, Interior::Parity).unwrap_err(), parity);
     let winding = check(&case, Interior::Winding).unwrap_err();
-    assert!(winding.starts_with("2 triangles run from input 0 to 3 and 1 back; with"), "{winding}");
+    assert!(
+        winding.starts_with("2 triangles run from input 0 to input 3 and 1 back; with"),
+        "{winding}"
+    );
     let closed = Case::surface(&points, &tetrahedron);
     for interior in [Interior::Parity, Interior::Winding] {
         assert_eq!(check(&closed, interior), Ok(()));
@@ -278,7 +285,8 @@ fn a_poll_may_end_the_work() {
     let case = Case::surface(&CUBE, &halves());
     let Case { inputs, facets, segments } = &case;
     let (regions, extent) = (&[][..], Extent::Auto);
-    let task = TaskInSpace { inputs, facets, segments, regions, coplanar: 0.0, extent };
+    let crossings = Crossings::Refuse;
+    let task = TaskInSpace { inputs, facets, segments, regions, coplanar: 0.0, extent, crossings };
     let mut polls = 0;
     arrange_in_space(&task, &mut |_| {
         polls += 1;

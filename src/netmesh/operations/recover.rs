@@ -152,7 +152,9 @@ impl<const D: usize> State<D> {
             let beside = vertex.and_then(|vertex| chains.line_at(vertex));
             let segment_of = |line: u32| chains.lines[line as usize].segment;
             let (segment, beside) = (segment_of(line), beside.map(segment_of));
-            let crowded = Crowded { segment, beside, at: self.crowded_at(line, &x) };
+            let place = std::array::from_fn(|axis| x.get(axis).copied().unwrap_or(0.0));
+            let at = self.crowded_at(line, &x);
+            let crowded = Crowded { segment, beside, at, x: place };
             self.segments.crowded.try_push(crowded)?;
         }
         self.segments.chains.limit(subsegment);
@@ -172,12 +174,12 @@ impl<const D: usize> State<D> {
         mesh::Crowded { segment, x, ends }
     }
 
-    fn crowded_error(&self, &Crowded { segment, beside, at }: &Crowded) -> Error {
+    fn crowded_error(&self, &Crowded { segment, beside, at, x }: &Crowded) -> Error {
         if D > 2 {
             let message = message!(
                 "an edge of the facets or a segment passes a vertex so closely near {} that \
                  doubles have no room for its subsegments",
-                At(&at.x)
+                At(&x)
             );
             return Error::new(ErrorKind::Limit, message);
         }

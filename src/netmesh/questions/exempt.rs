@@ -93,6 +93,17 @@ impl<const D: usize> State<D> {
         may_be && self.short_edge(simplex, radius).is_some()
     }
 
+    /// Returns true if a live simplex of the domain is beyond the bound, and the guard of facets
+    /// leaves it so though no small angle excuses it: near to many edges and crossings of surfaces
+    /// it would be split far below what there is.
+    pub(in crate::netmesh) fn is_left_at_no_angle(&self, simplex: SimplexId) -> bool {
+        let is_left =
+            |state: &State<3>| state.facets.is_kept(simplex) && !state.has_small_angle(simplex);
+        let regions = &self.segments.regions;
+        let is_inside = || regions.of(simplex).is_some_and(|one| regions.is_inside[one as usize]);
+        self.as_space().is_some_and(is_left) && is_inside() && self.is_bad_but_forced(simplex)
+    }
+
     /// Returns true if two vertices are on different lines that meet at a sharp angle, equally far
     /// from where they meet. A line may be sharp there with a third one only: what is between these
     /// two can be refined then.

@@ -210,7 +210,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Returns, for every vertex, true if its cage could not be made, or a corner next to it could
     /// not be inserted, or it is so near to another that ratios of radii and distances drown in the
-    /// rounding of subnormals.
+    /// rounding of subnormals, or the guard of facets leaves a simplex beside it as it is though no
+    /// small angle excuses it.
     pub(in crate::netmesh) fn limited_vertices(&mut self) -> Result<Vec<bool>> {
         const SUBNORMAL: f64 = f64::from_bits(1 << 30);
         let mut limited = std::mem::take(&mut self.state.precision_limited);
@@ -219,8 +220,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         for simplex in self.state.delaunay.complex().simplices() {
             self.watch.poll_after(1)?;
-            if self.state.refine_list.is_limited(simplex)
-                && self.state.delaunay.complex().is_live(simplex)
+            if self.state.delaunay.complex().is_live(simplex)
+                && (self.state.refine_list.is_limited(simplex)
+                    || self.state.is_left_at_no_angle(simplex))
             {
                 for &vertex in self.state.delaunay.complex().vertices(simplex) {
                     limited[vertex] = true;

@@ -46,6 +46,8 @@ pub(in crate::netmesh) struct Crowded {
     /// The segment that has a vertex there, if one does.
     pub beside: Option<u32>,
     pub at: mesh::Crowded,
+    /// The point in space; 0 is the third coordinate in the plane.
+    pub x: [f64; 3],
 }
 
 /// Point in messages.

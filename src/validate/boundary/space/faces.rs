@@ -72,6 +72,21 @@ impl Faces {
         between(&view.mesh.boundary.subsegments, &self.at, ends)
     }
 
+    /// Returns true if subsegments at a vertex are not two, or if it is on a facet that none of
+    /// them bounds, so that facets or segments cross there.
+    pub fn is_crossing(&self, view: View<'_, 3>, vertex: u32) -> bool {
+        let at = self.at.of(vertex as usize);
+        let is_beside = |facet: u32| {
+            at.iter().any(|&subsegment| {
+                let mut beside =
+                    self.beside(view, view.mesh.boundary.subsegments[subsegment as usize]);
+                beside.any(|subfacet| self.facets[subfacet as usize] == facet)
+            })
+        };
+        let mut facets = self.subfacets_at.of(vertex as usize).iter();
+        !at.is_empty() && (at.len() != 2 || facets.any(|&at| !is_beside(self.facets[at as usize])))
+    }
+
     /// Returns the subfacets that have an edge between two vertices.
     pub fn beside<'a>(
         &'a self,

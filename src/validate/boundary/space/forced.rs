@@ -1,6 +1,7 @@
 //! Level 3: a tetrahedron that is excused because a small angle of the caller's forces it has
 //! vertices on both sides of such an angle: on two facets that meet at an edge below 90 degrees, or
-//! on segments, edges of facets or facets that meet at an input below 60 degrees.
+//! on segments, edges of facets or facets that meet at an input, or where crossings are split,
+//! below 60 degrees.
 
 use super::directions::{Vector, across, cosine, cross, direction, dot};
 use super::faces::Faces;
@@ -8,6 +9,7 @@ use super::flat::facets_at;
 use crate::error::message;
 use crate::memory::{AllocResult, Lists, Sets, TryGrow, collected};
 use crate::mesh::Inputs;
+use crate::options::Crossings;
 use crate::quality::view::View;
 use crate::validate::boundary::forced::check_bound;
 use crate::validate::report::{Findings, Violation, ViolationKind};
@@ -64,16 +66,20 @@ pub(super) fn check(
 impl<'a> Features<'a> {
     fn new(inputs: usize, view: View<'a, 3>, faces: &'a Faces) -> AllocResult<Self> {
         let mut lines = Sets::new(view.mesh.boundary.subsegments.len())?;
-        for vertex in inputs..view.vertex_count() {
-            if let [one, other] = *faces.at.of(vertex) {
+        let splits = view.mesh.parameters.crossings == Crossings::Split;
+        let is_anchor =
+            |vertex: u32| (vertex as usize) < inputs || splits && faces.is_crossing(view, vertex);
+        let vertices = 0..view.vertex_count() as u32;
+        for vertex in vertices.clone().filter(|&vertex| !is_anchor(vertex)) {
+            if let [one, other] = *faces.at.of(vertex as usize) {
                 lines.join(one as usize, other as usize);
             }
         }
         let (facets_at, small) = (facets_at(view, faces)?, Vec::new());
         let mut features = Self { view, faces, facets_at, lines, small };
         features.add_dihedral_angles()?;
-        for vertex in 0..inputs.min(view.vertex_count()) {
-            features.add_angles_at(vertex as u32)?;
+        for vertex in vertices.filter(|&vertex| is_anchor(vertex)) {
+            features.add_angles_at(vertex)?;
         }
         features.small.sort_unstable();
         features.small.dedup();

@@ -11,9 +11,11 @@ use super::plane::AreaVector;
 use super::tiling;
 use super::ways::Ways;
 use crate::error::message;
-use crate::memory::{AllocResult, Sets, TryGrow, collected, with_capacity};
+use crate::memory::{AllocResult, Sets, TryGrow, collected, filled, with_capacity};
 use crate::mesh::{Facets, Inputs, NONE};
+use crate::options::Crossings;
 use crate::quality::length::Length;
+use crate::quality::view::View;
 use crate::validate::report::{Findings, Violation, ViolationKind};
 
 /// Largest distance of the opposite vertex from a triangle's plane, relative to its distance from
@@ -33,8 +35,11 @@ pub(super) fn check(
         findings.check(false, || describe("triangles have inputs that are no vertices"));
         return Ok(());
     };
+    let balances = balances_of(ways.inputs, &triangles, ways.splits_crossings())?;
+    let kept = (0u32..).zip(&balances).filter(|(_, balance)| balance.is_some());
+    let kept = collected(kept.map(|(triangle, _)| triangle))?;
     let mut sets = Sets::new(triangles.len())?;
-    let sides = sides(&triangles)?;
+    let sides = sides(&triangles, &kept)?;
     for same in sides.chunk_by(|a, b| a.0 == b.0) {
         let is_line = ways.find(same[0].0)?;
         for (at, &one) in same.iter().enumerate() {
@@ -52,8 +57,8 @@ pub(super) fn check(
     }
     check_parents(ways, &mut sets, findings);
     let mut members = with_capacity(triangles.len())?;
-    for triangle in 0..triangles.len() {
-        members.push((sets.find(triangle) as u32, triangle as u32));
+    for &triangle in &kept {
+        members.push((sets.find(triangle as usize) as u32, triangle));
     }
     members.sort_unstable();
     for group in members.chunk_by(|a, b| a.0 == b.0) {
@@ -83,11 +88,68 @@ fn triangles(inputs: &Inputs, facets: &Facets) -> AllocResult<Option<Vec<[u32; 3
     Ok((triangles.len() == facets.count()).then_some(triangles))
 }
 
-fn sides(triangles: &[[u32; 3]]) -> AllocResult<Vec<Side>> {
-    let of_triangle = |(triangle, &[a, b, c]): (u32, &[u32; 3])| {
+/// Returns by how much the winding number grows behind each subfacet.
+pub(super) fn steps(inputs: &Inputs, facets: &Facets, view: View<'_, 3>) -> AllocResult<Vec<i64>> {
+    let splits = view.mesh.parameters.crossings == Crossings::Split;
+    let balances = match triangles(inputs, facets)? {
+        Some(triangles) if facets.are_triangles => balances_of(inputs, &triangles, splits)?,
+        _ => Vec::new(),
+    };
+    let step = |&parent: &u32| match balances.get(parent as usize) {
+        Some(balance) => balance.unwrap_or(0),
+        None => i64::from(parent != NONE),
+    };
+    collected(view.mesh.boundary.subfacet_parents.iter().map(step))
+}
+
+/// Returns for each triangle by how much the winding number grows behind it. If crossings are split
+/// the first of several with the same vertices stands for all, and the others and those without an
+/// area have none.
+fn balances_of(
+    inputs: &Inputs,
+    triangles: &[[u32; 3]],
+    splits: bool,
+) -> AllocResult<Vec<Option<i64>>> {
+    let mut balances = filled(triangles.len(), Some(1))?;
+    if !splits {
+        return Ok(balances);
+    }
+    // The vertices from the lowest on, in their order and then the other way round.
+    let turned = |(number, &own): (u32, &[u32; 3])| {
+        let least = own.into_iter().min().unwrap_or(NONE);
+        let [a, b, c] = from_vertex(own, least);
+        ([a, b.min(c), b.max(c)], number, b < c)
+    };
+    let mut all = collected((0u32..).zip(triangles).map(turned))?;
+    all.sort_unstable();
+    for same in all.chunk_by(|a, b| a.0 == b.0) {
+        let mut area = AreaVector::zero();
+        area.add_triangle(same[0].0.map(|corner| point(inputs, corner)));
+        let has_area = area.rounded().is_some();
+        let sum = same.iter().map(|one| if one.2 == same[0].2 { 1 } else { -1 }).sum();
+        for (at, one) in same.iter().enumerate() {
+            balances[one.1 as usize] = (at == 0 && has_area).then_some(sum);
+        }
+    }
+    Ok(balances)
+}
+
+/// Returns a triangle from one of its vertices on.
+fn from_vertex([a, b, c]: [u32; 3], first: u32) -> [u32; 3] {
+    match first {
+        _ if first == a => [a, b, c],
+        _ if first == b => [b, c, a],
+        _ => [c, a, b],
+    }
+}
+
+/// Returns the sides of those of some triangles that have the given numbers.
+fn sides(triangles: &[[u32; 3]], numbers: &[u32]) -> AllocResult<Vec<Side>> {
+    let of_triangle = |&triangle: &u32| {
+        let [a, b, c] = triangles[triangle as usize];
         [[a, b], [b, c], [c, a]].map(|[a, b]| ([a.min(b), a.max(b)], triangle, a < b))
     };
-    let mut sides = collected((0..).zip(triangles).flat_map(of_triangle))?;
+    let mut sides = collected(numbers.iter().flat_map(of_triangle))?;
     sides.sort_unstable();
     Ok(sides)
 }
@@ -204,7 +266,8 @@ fn facet(
     }
     let Some((normal, _)) = area.rounded() else { return Ok(None) };
     let mut rim: Vec<[u32; 2]> = Vec::new();
-    for same in sides(&own)?.chunk_by(|a, b| a.0 == b.0) {
+    let numbers = collected(0..own.len() as u32)?;
+    for same in sides(&own, &numbers)?.chunk_by(|a, b| a.0 == b.0) {
         let forward = same.iter().filter(|side| side.2).count();
         let backward = same.len() - forward;
         let [a, b] = same[0].0;

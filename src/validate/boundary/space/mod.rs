@@ -31,8 +31,8 @@ pub(super) use arrays::check as check_arrays;
 pub(super) use faces::walls;
 
 use super::{Outline, Promised, areas, interior, regions};
-use crate::memory::{AllocResult, collected};
-use crate::mesh::{Facets, Inputs, NONE};
+use crate::memory::AllocResult;
+use crate::mesh::{Facets, Inputs};
 use crate::quality::view::View;
 use crate::validate::report::Findings;
 use faces::Faces;
@@ -96,9 +96,8 @@ pub(super) fn check_regions(
     let faces = Faces::new(view)?;
     if !boundary.simplex_regions.is_empty() {
         let steps = match outline {
-            Some(_) if interior::is_asked(view) => {
-                let step = |&parent: &u32| i64::from(parent != NONE);
-                Some(collected(boundary.subfacet_parents.iter().map(step))?)
+            Some(Outline { facets, .. }) if interior::is_asked(view) => {
+                Some(groups::steps(inputs, facets, view)?)
             }
             _ => None,
         };

@@ -10,7 +10,8 @@
 //! that are near the facet without being among its own may be as far as those near a segment, and
 //! so may vertices of a chain, which may bend through such an input: [`super::ways`] holds them to
 //! the line between the inputs next to them, so that only those of a chain that bends are farther
-//! than one unit.
+//! than one unit. If crossings are split a facet goes through vertices at these, which are off it
+//! by roundings, and all vertices on it may be as far.
 
 use super::super::chains::BENT;
 use super::super::exact::unit_in_last_place;
@@ -174,7 +175,7 @@ pub(super) fn check(
     let mut wide = Slab { low: slab.low.clone(), high: slab.high.clone() };
     wide.widen(normal, &units.map(|unit| (BENT - ROUNDED) * unit));
     for vertex in vertices {
-        let is_bent = ways.is_input(vertex) || ways.is_on_chain(vertex);
+        let is_bent = ways.splits_crossings() || ways.is_input(vertex) || ways.is_on_chain(vertex);
         let limit = if is_bent { &wide } else { &slab };
         findings.check(limit.holds(normal, ways.view.point(vertex)), || {
             let message = message!(

@@ -9,7 +9,7 @@ use super::tiling::name_of;
 use crate::error::message;
 use crate::memory::{AllocResult, TryGrow, filled};
 use crate::mesh::{Inputs, NONE, Segments};
-use crate::options::Extent;
+use crate::options::{Crossings, Extent};
 use crate::quality::view::View;
 use crate::validate::report::{Findings, Violation, ViolationKind};
 
@@ -47,6 +47,25 @@ impl<'a> Ways<'a> {
 
     pub fn is_input(&self, vertex: u32) -> bool {
         (vertex as usize) < self.inputs.distinct()
+    }
+
+    /// Returns true if a chain may bend at a vertex: at an input, or if crossings are split at a
+    /// crossing.
+    fn is_anchor(&self, vertex: u32) -> bool {
+        self.is_input(vertex)
+            || self.splits_crossings() && self.faces.is_crossing(self.view, vertex)
+    }
+
+    /// Returns true if the mesh is to split crossings.
+    pub fn splits_crossings(&self) -> bool {
+        self.view.mesh.parameters.crossings == Crossings::Split
+    }
+
+    /// Returns true if two facets have subfacets beside a subsegment.
+    fn is_between_facets(&self, ends: [u32; 2]) -> bool {
+        let facet = |subfacet: u32| self.faces.facets[subfacet as usize];
+        let mut beside = self.faces.beside(self.view, ends).map(facet);
+        beside.next().is_some_and(|first| beside.any(|other| other != first))
     }
 
     /// Returns the point of a distinct input.
@@ -136,13 +155,13 @@ impl<'a> Ways<'a> {
         }
     }
 
-    /// Checks that inputs on the chain that was found last are near its way, and other vertices
-    /// within half a unit in the last place of the line between the inputs next to them.
+    /// Checks that anchors on the chain that was found last are near its way, and other vertices
+    /// within half a unit in the last place of the line between the anchors next to them.
     fn check_vertices(&self, way: Way, findings: &mut Findings) -> AllocResult<()> {
         let mut from = 0;
         for to in 1..self.path.len() {
             let end = self.path[to];
-            if !self.is_input(end) {
+            if !self.is_anchor(end) {
                 continue;
             }
             if end != way.ends[1] {
@@ -173,7 +192,8 @@ impl<'a> Ways<'a> {
     }
 
     /// Checks that every subsegment is on a chain, and of the first segment that has it. The
-    /// boundary of a hull has subsegments of its own.
+    /// boundary of a hull has subsegments of its own, and so have facets where they cross, if
+    /// crossings are split.
     pub fn check_owners(&self, findings: &mut Findings) {
         let boundary = &self.view.mesh.boundary;
         let has_own = self.view.mesh.parameters.extent == Extent::Hull;
@@ -184,7 +204,9 @@ impl<'a> Ways<'a> {
         for (at, (&[a, b], &parent)) in
             boundary.subsegments.iter().zip(&boundary.parents).enumerate()
         {
-            let is_known = self.is_covered[at] || parent == NONE && is_of_frame([a, b]);
+            let is_own =
+                || is_of_frame([a, b]) || self.splits_crossings() && self.is_between_facets([a, b]);
+            let is_known = self.is_covered[at] || parent == NONE && is_own();
             findings.check(is_known && parent == self.owners[at], || {
                 let message = message!(
                     "subsegment {at} from vertex {a} to {b} is of segment {parent}, and no chain \

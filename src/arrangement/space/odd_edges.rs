@@ -1,0 +1,50 @@
+//! Edges of facets that are not between two facets, with these on different sides.
+
+use super::isolated::Isolated;
+use super::pieces::{Piece, Pieces};
+use super::sides::{Side, Sides};
+use super::{TaskInSpace, points_of};
+use crate::arrangement::poll::Poll;
+use crate::error::Result;
+use crate::memory::{TryGrow, collected};
+use crate::mesh::{EdgeFault, Facets, Inputs, OddEdge, Segments};
+use crate::options::{Crossings, Extent};
+
+/// Returns the edges of facets that are not one of two facets that run through them in opposite
+/// directions, sorted. Triangles without an area have no edges. O(n log n).
+///
+/// # Errors
+/// `OutOfMemory`, and those of `poll`.
+pub fn find_odd_edges(inputs: &Inputs, facets: &Facets, poll: Poll<'_>) -> Result<Vec<OddEdge>> {
+    let points = points_of(inputs)?;
+    let task = TaskInSpace {
+        inputs,
+        facets,
+        segments: &Segments::default(),
+        regions: &[],
+        coplanar: 0.0,
+        extent: Extent::All,
+        crossings: Crossings::Refuse,
+    };
+    let pieces = Pieces::new(&points, &task, &Isolated::default(), poll)?;
+    let triangles = collected(pieces.all.iter().filter_map(Piece::triangle))?;
+    let facets = collected(pieces.all.iter().filter(|one| one.triangle().is_some()))?;
+    let mut found = Vec::new();
+    for group in Sides::of_triangles(&triangles)?.groups() {
+        let facet = |side: &Side| facets[side.triangle as usize].facet();
+        let fault = match group {
+            [_] => EdgeFault::Open,
+            // Between triangles of one facet.
+            [a, b] if facet(a) == facet(b) => continue,
+            [a, b] if a.runs_up(&triangles) == b.runs_up(&triangles) => EdgeFault::Turned,
+            [_, _] => continue,
+            _ => EdgeFault::Crowded,
+        };
+        let input = |vertex: u32| inputs.first_input(vertex as usize).unwrap_or(vertex);
+        let [from, to] = group[0].ends.map(input);
+        let inputs = [from.min(to), from.max(to)];
+        found.try_push(OddEdge { inputs, facets: group.len() as u32, fault })?;
+    }
+    found.sort_unstable();
+    Ok(found)
+}

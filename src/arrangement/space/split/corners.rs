@@ -1,0 +1,167 @@
+//! The corners of what pairs of pieces share.
+
+use super::super::boxes::bounds_of;
+use super::super::crossed::{each_meeting_of_edges, images, point_of_edge, vertices_on_edges};
+use super::super::intersections::each_meeting;
+use super::super::meet::{Face, corner};
+use super::super::pieces::{Pieces, Untiled};
+use super::candidates::Candidate;
+use super::owners::Owners;
+use crate::arrangement::poll::Poll;
+use crate::arrangement::reach::{Reach, unit_in_last_place};
+use crate::error::Result;
+use crate::memory::{AllocResult, TryGrow};
+use std::array::from_fn;
+
+/// Corners of what pieces share, by pairs of pieces, and the points where there is no vertex yet.
+#[derive(Default)]
+pub(super) struct Corners {
+    pub all: Vec<Corner>,
+    pub candidates: Vec<Candidate>,
+}
+
+/// Corner of what two pieces share.
+#[derive(Clone, Copy)]
+pub(super) struct Corner {
+    /// Number of the pair, in the order in which pairs are found.
+    pub pair: u32,
+    pub pieces: [u32; 2],
+    /// Face of each piece that has the corner in its interior.
+    pub faces: [Face; 2],
+    pub vertex: Vertex,
+}
+
+/// Vertex at a corner.
+#[derive(Clone, Copy)]
+pub(super) enum Vertex {
+    Known(u32),
+    /// Candidate to become a vertex.
+    Candidate(u32),
+}
+
+/// Face of an edge alone.
+const EDGE: Face = 0b11;
+
+impl Corners {
+    /// Finds the corners of all pairs of pieces that meet though they must not, and of all edges of
+    /// polygons that meet in the projections of these.
+    pub fn find(
+        points: &[[f64; 3]],
+        pieces: &Pieces,
+        owners: &Owners,
+        poll: Poll<'_>,
+    ) -> Result<Self> {
+        let mut found = Self::default();
+        let mut pairs = 0;
+        each_meeting(points, pieces, poll, |both, meeting| {
+            for &faces in meeting.corners() {
+                found.add(points, pieces, (pairs, both), faces)?;
+            }
+            pairs += 1;
+            Ok(())
+        })?;
+        for untiled in &pieces.untiled {
+            found.add_of_polygon(points, untiled, owners, &mut pairs)?;
+        }
+        Ok(found)
+    }
+
+    fn add(
+        &mut self,
+        points: &[[f64; 3]],
+        pieces: &Pieces,
+        (pair, both): (u32, [u32; 2]),
+        faces: [Face; 2],
+    ) -> AllocResult<()> {
+        let vertices = both.map(|piece| pieces.all[piece as usize].vertices());
+        let single = (0..2).find(|&which| faces[which].count_ones() == 1);
+        let vertex = match single {
+            Some(which) => Vertex::Known(vertices[which][faces[which].trailing_zeros() as usize]),
+            None => {
+                let x = corner(points, vertices, faces);
+                let units = units(points, vertices.into_iter().flatten().copied());
+                self.candidate(Candidate { x, units, facets: None })?
+            }
+        };
+        self.all.try_push(Corner { pair, pieces: both, faces, vertex })
+    }
+
+    fn candidate(&mut self, candidate: Candidate) -> AllocResult<Vertex> {
+        self.candidates.try_push(candidate)?;
+        Ok(Vertex::Candidate(self.candidates.len() as u32 - 1))
+    }
+
+    fn add_of_polygon(
+        &mut self,
+        points: &[[f64; 3]],
+        untiled: &Untiled,
+        owners: &Owners,
+        pairs: &mut u32,
+    ) -> Result<()> {
+        let Untiled { polygon, plane, facet, first_piece } = untiled;
+        let images = images(points, polygon, plane)?;
+        each_meeting_of_edges(&images, polygon, |edges, meeting| {
+            let ends = edges.map(|edge| polygon.edges[edge as usize].ends);
+            for &faces in meeting.corners() {
+                let single = (0..2).find(|&which| faces[which].count_ones() == 1);
+                let vertex = match single {
+                    Some(which) => {
+                        let at = ends[which][faces[which].trailing_zeros() as usize];
+                        Vertex::Known(polygon.vertices[at as usize])
+                    }
+                    None => {
+                        let place = corner(&images, [&ends[0], &ends[1]], faces);
+                        let x = point_of_edge(points, polygon, &images, ends[0], &place);
+                        let ends = ends.map(|ends| ends.map(|end| polygon.vertices[end as usize]));
+                        let units = units(points, ends.iter().flatten().copied());
+                        let facets = crossing_facets(owners, *facet, ends);
+                        self.candidate(Candidate { x, units, facets })?
+                    }
+                };
+                let pieces = edges.map(|edge| first_piece + edge);
+                self.all.try_push(Corner { pair: *pairs, pieces, faces, vertex })?;
+            }
+            *pairs += 1;
+            Ok(())
+        })?;
+        for (vertex, edge) in vertices_on_edges(&images, polygon) {
+            let vertex = Vertex::Known(polygon.vertices[vertex as usize]);
+            let (pieces, faces) = ([first_piece + edge; 2], [EDGE; 2]);
+            self.all.try_push(Corner { pair: *pairs, pieces, faces, vertex })?;
+            *pairs += 1;
+        }
+        Ok(())
+    }
+}
+
+/// Returns the units in the last place of the largest coordinates of vertices; zeros if these are
+/// too close to each other for rounding to explain a gap.
+fn units(points: &[[f64; 3]], vertices: impl Iterator<Item = u32> + Clone) -> [f64; 3] {
+    let [low, high] = bounds_of(vertices.map(|vertex| &points[vertex as usize]));
+    let units = from_fn(|k| unit_in_last_place(low[k].abs().max(high[k].abs())));
+    match Reach::of([&low, &high]).is_long() {
+        true => units,
+        false => [0.0; 3],
+    }
+}
+
+/// Returns the three facets of which two lines in a facet are crossings, if each is one with a
+/// single other facet.
+fn crossing_facets(owners: &Owners, facet: u32, parts: [[u32; 2]; 2]) -> Option<[u32; 3]> {
+    let other = |part: [u32; 2]| {
+        let mut all = owners.of(part).flat_map(|line| owners.facets_with(line));
+        let first = all.find(|&other| other != facet)?;
+        all.all(|other| other == facet || other == first).then_some(first)
+    };
+    let mut facets = [facet, other(parts[0])?, other(parts[1])?];
+    facets.sort_unstable();
+    (facets[0] < facets[1] && facets[1] < facets[2]).then_some(facets)
+}
+
+/// Returns the ends of an edge of a piece.
+pub(super) fn edge_of(vertices: &[u32], face: Face) -> [u32; 2] {
+    let has = |at: &usize| face >> at & 1 == 1;
+    let first = (0..vertices.len()).find(has).unwrap_or(0);
+    let last = (0..vertices.len()).rev().find(has).unwrap_or(0);
+    [vertices[first], vertices[last]]
+}

@@ -1,0 +1,73 @@
+//! Crossings of facets and segments in space as vertices and edges of all that meet there.
+//!
+//! The set that two pieces share has corners, of which those that are no vertices become some, at
+//! the nearest doubles but for roundings. Edges go through the vertices on them, facets have those
+//! in them, and the line between two corners is an edge of both facets. Since that bends edges and
+//! facets, by roundings, they may then meet others: so all is done again, until nothing meets but
+//! in what it has in common, which a last round proves. This is iterated snap rounding (D. Halperin
+//! and E. Packer, "Iterated snap rounding", 2002) in space: a corner that rounding explains to be
+//! at a vertex or on an edge is there.
+//!
+//! - [`corners`] finds the corners of a round, [`candidates`] the vertices that they become, and
+//!   [`places`] where these are.
+//! - [`owners`] tells of which edges the edges of pieces are parts.
+
+mod candidates;
+mod corners;
+mod owners;
+mod places;
+#[cfg(test)]
+mod tests;
+
+use super::TaskInSpace;
+use super::isolated::Isolated;
+use super::pieces::Pieces;
+use crate::arrangement::poll::Poll;
+use crate::error::Result;
+use crate::mesh::{Intersection, IntersectionKind};
+use corners::Corners;
+use owners::Owners;
+
+/// Largest number of rounds. Three or four are enough for all but contrived inputs.
+const MOST_ROUNDS: usize = 24;
+
+/// Largest number of corners of a later round, over that of the first. Roundings make few.
+const MOST_AGAIN: usize = 4;
+
+/// Returns pieces of facets and segments that meet only in vertices and edges of both, and appends
+/// the vertices at crossings to `points`; `None` if some still meet after [`MOST_ROUNDS`], or meet
+/// where no vertex makes a difference. Triangles without an area are left out: others have their
+/// vertices. Expected O((n + k) log n) for each round, for n pieces and k pairs whose bounding
+/// boxes meet.
+pub(super) fn split(
+    points: &mut Vec<[f64; 3]>,
+    task: &TaskInSpace<'_>,
+    pieces: &Pieces,
+    poll: Poll<'_>,
+) -> Result<Option<Pieces>> {
+    let mut on = Isolated::find(points, pieces, false, poll)?;
+    let mut most = usize::MAX;
+    for _ in 0..MOST_ROUNDS {
+        let pieces = Pieces::new(points, task, &on, poll)?;
+        let owners = Owners::new(points, task, &on)?;
+        let corners = Corners::find(points, &pieces, &owners, poll)?;
+        let is_whole = pieces.faults.iter().all(has_no_area);
+        if corners.all.is_empty() && is_whole {
+            return Ok(Some(pieces));
+        }
+        if corners.all.len() > most {
+            return Ok(None);
+        }
+        most = most.min(MOST_AGAIN * corners.all.len());
+        let added = corners.placed(points, task.inputs.distinct(), &pieces, &owners)?;
+        if !on.extend(points, &added)? {
+            return Ok(None);
+        }
+    }
+    Ok(None)
+}
+
+/// Returns true if a fault is that a facet has no area.
+fn has_no_area(fault: &Intersection) -> bool {
+    fault.kind == IntersectionKind::ZeroArea
+}

@@ -1,0 +1,196 @@
+//! Facets and segments that cross, as vertices and lines of both.
+
+use super::super::tests::Case;
+use crate::error::Result;
+use crate::mesh::{Arrangement, Intersection, IntersectionKind};
+use crate::numerics::coordinates;
+use crate::numerics::testing::Random;
+use crate::options::Crossings;
+
+type Point = [f64; 3];
+
+/// Points and triangles of an arrangement, with the caller's facet of each triangle.
+struct Made {
+    points: Vec<Point>,
+    triangles: Vec<[u32; 3]>,
+    parents: Vec<u32>,
+    arrangement: Arrangement,
+}
+
+fn split(case: &Case) -> Result<Made> {
+    let arrangement = case.arranged_with(0.0, Crossings::Split)?;
+    let inputs = &case.inputs;
+    let mut points: Vec<Point> =
+        (0..inputs.distinct()).map(|v| *coordinates::<3>(inputs.distinct_point(v), 0)).collect();
+    points.extend(&arrangement.corners);
+    let triangles = arrangement.triangles.iter().map(|one| one.vertices).collect();
+    let parent = |facet: u32| arrangement.facets[facet as usize].parent;
+    let parents = arrangement.triangles.iter().map(|one| parent(one.facet)).collect();
+    Ok(Made { points, triangles, parents, arrangement })
+}
+
+fn cross([u, v]: [Point; 2]) -> Point {
+    [0, 1, 2].map(|k| u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3])
+}
+
+fn normal(points: &[Point], [a, b, c]: [u32; 3]) -> Point {
+    let way = |to: u32| [0, 1, 2].map(|k| points[to as usize][k] - points[a as usize][k]);
+    cross([way(b), way(c)])
+}
+
+fn size(x: Point) -> f64 {
+    x.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+/// Checks that nothing meets any more but in what it has in common, that the triangles cover what
+/// the caller's did, and that vertices are on the planes of their facets up to roundings.
+fn check(case: &Case, made: &Made) {
+    let mut known = made.points.clone();
+    known.sort_by(|a, b| a.partial_cmp(b).unwrap());
+    known.dedup();
+    assert_eq!(known.len(), made.points.len());
+    let whole = Case::surface(&made.points, &made.triangles);
+    assert_eq!(whole.intersections(), []);
+    let given: Vec<[u32; 3]> = case
+        .facets
+        .inputs
+        .chunks(3)
+        .map(|own| [0, 1, 2].map(|k: usize| case.inputs.vertices()[own[k] as usize]))
+        .collect();
+    let area = |triangles: &[[u32; 3]]| -> f64 {
+        triangles.iter().map(|&own| size(normal(&made.points, own))).sum()
+    };
+    let (before, after) = (area(&given), area(&made.triangles));
+    assert!((after - before).abs() <= 1e-11 * before, "{before} {after}");
+    for (own, &parent) in made.triangles.iter().zip(&made.parents) {
+        let plane = given[parent as usize];
+        let normal = normal(&made.points, plane);
+        let [origin, ..] = plane.map(|vertex| made.points[vertex as usize]);
+        for &vertex in own {
+            let x = made.points[vertex as usize];
+            let height: f64 = (0..3).map(|k| normal[k] * (x[k] - origin[k])).sum();
+            assert!(height.abs() <= 1e-13 * size(normal) * (1.0 + size(x)), "{height}");
+        }
+    }
+}
+
+/// Returns true if two of the facets lie on each other.
+fn overlap(found: &[Intersection]) -> bool {
+    found.iter().any(|found| found.kind == IntersectionKind::Overlap)
+}
+
+#[test]
+fn two_triangles_that_cross_share_a_line() {
+    let points = [
+        [0.0, 0.0, 0.0],
+        [4.0, 0.0, 0.0],
+        [0.0, 4.0, 0.0],
+        [1.0, 1.0, -1.0],
+        [1.0, 1.0, 1.0],
+        [3.0, 3.0, 0.5],
+    ];
+    let case = Case::surface(&points, &[[0, 1, 2], [3, 4, 5]]);
+    let made = split(&case).unwrap();
+    check(&case, &made);
+    assert_eq!(made.arrangement.corners, [[2.0, 2.0, 0.0], [1.0, 1.0, 0.0]]);
+    assert!(made.arrangement.subsegments.iter().any(|line| line.ends == [6, 7]));
+    // Two facets still, of the caller's.
+    let parents: Vec<u32> = made.arrangement.facets.iter().map(|facet| facet.parent).collect();
+    assert_eq!(parents, [0, 1]);
+}
+
+#[test]
+fn vertices_and_edges_that_touch_facets_are_theirs() {
+    let square = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 4.0, 0.0], [0.0, 4.0, 0.0]];
+    let floor = [[0, 1, 2], [0, 2, 3]];
+    let tips: [(&[Point], usize); 4] = [
+        // A vertex in a triangle, on the edge between two, an edge in both, and edges that cross.
+        (&[[3.0, 1.0, 0.0], [3.0, 1.0, 1.0], [3.5, 1.0, 1.0]], 0),
+        (&[[2.0, 2.0, 0.0], [3.0, 1.0, 1.0], [3.5, 1.0, 1.0]], 0),
+        (&[[3.0, 1.0, 0.0], [1.0, 3.0, 0.0], [3.5, 1.0, 1.0]], 1),
+        (&[[2.0, -1.0, 0.0], [2.0, 1.0, 0.0], [2.0, -1.0, 1.0]], 1),
+    ];
+    for (tip, new) in tips {
+        let points: Vec<Point> = square.iter().chain(tip).copied().collect();
+        let case = Case::surface(&points, &[floor[0], floor[1], [4, 5, 6]]);
+        let made = split(&case).unwrap();
+        check(&case, &made);
+        assert_eq!(made.arrangement.corners.len(), new, "{tip:?}");
+    }
+}
+
+#[test]
+fn segments_are_split_at_facets() {
+    let points = [
+        [0.0, 0.0, 0.0],
+        [4.0, 0.0, 0.0],
+        [0.0, 4.0, 0.0],
+        [1.0, 1.0, -1.0],
+        [1.0, 1.0, 2.0],
+        [0.5, 0.5, 0.0],
+        [1.0, 2.0, 0.0],
+    ];
+    let case = Case::surface(&points, &[[0, 1, 2]]).with_segments(&[[3, 4], [5, 6]]);
+    let made = split(&case).unwrap();
+    check(&case, &made);
+    assert_eq!(made.arrangement.corners, [[1.0, 1.0, 0.0]]);
+    let of = |segment: u32| {
+        let own = made.arrangement.subsegments.iter().filter(|line| line.segment == segment);
+        own.map(|line| line.ends).collect::<Vec<_>>()
+    };
+    assert_eq!((of(0), of(1)), (vec![[3, 7], [7, 4]], vec![[5, 6]]));
+}
+
+/// Draws triangles with short decimal coordinates, as people write them, so that many nearly touch.
+fn soup(count: usize, random: &mut Random) -> Case {
+    let mut points = Vec::new();
+    let mut triangles = Vec::new();
+    while triangles.len() < count {
+        let first = points.len() as u32;
+        let corner = |random: &mut Random| [0; 3].map(|_: i32| random.integer(0, 40) as f64 / 10.0);
+        points.extend([corner(random), corner(random), corner(random)]);
+        let own = [first, first + 1, first + 2];
+        match size(normal(&points, own)) > 1e-3 {
+            true => triangles.push(own),
+            false => points.truncate(first as usize),
+        }
+    }
+    Case::surface(&points, &triangles)
+}
+
+#[test]
+fn soups_are_split() {
+    let mut random = Random(77);
+    let mut made = 0;
+    for trial in 0..160 {
+        let case = soup(2 + trial % 24, &mut random);
+        if overlap(&case.intersections()) {
+            continue;
+        }
+        check(&case, &split(&case).unwrap_or_else(|error| panic!("{trial}: {}", error.message())));
+        made += 1;
+    }
+    assert!(made > 140, "{made}");
+}
+
+/// Splits sheaves of triangles through nearly one line, and through nearly one point.
+#[test]
+fn sheaves_are_split() {
+    let mut random = Random(5);
+    for trial in 0..60 {
+        let mut points: Vec<Point> = Vec::new();
+        let mut triangles = Vec::new();
+        let is_pencil = trial % 2 == 0;
+        for at in 0..3 + trial % 7 {
+            let angle = f64::from(at as i32) * 0.7 + 0.1;
+            let [c, s] = [angle.cos(), angle.sin()];
+            let tilt = if is_pencil { 0.0 } else { random.unit() - 0.5 };
+            let x = |u: f64, v: f64| [0.1 + u * c, 0.2 + u * s, 0.3 + v + tilt * u];
+            let first = points.len() as u32;
+            points.extend([x(-1.0, -1.0), x(1.0, -0.9), x(0.1, 1.5)]);
+            triangles.push([first, first + 1, first + 2]);
+        }
+        let case = Case::surface(&points, &triangles);
+        check(&case, &split(&case).unwrap_or_else(|error| panic!("{trial}: {}", error.message())));
+    }
+}

@@ -1,0 +1,137 @@
+//! Surfaces that cross themselves, split at their crossings: each mesh holds its certificate, and
+//! regions are those of the rule.
+
+use super::{Point, assert_holds, bounded, volume};
+use crate::random::Random;
+use netmesh::error::ErrorKind;
+use netmesh::options::{Crossings, Extent, Interior, Options};
+use netmesh::{Mesh, Triangulation};
+
+fn split(extent: Extent, bound: f64) -> Options {
+    Options { extent, crossings: Crossings::Split, max_vertices: 100_000, ..bounded(bound) }
+}
+
+fn surface(points: &[Point], triangles: &[[u32; 3]]) -> Mesh {
+    let mut mesh = Mesh::new(3, points.len(), points.as_flattened(), 0).unwrap();
+    mesh.set_triangles(triangles.as_flattened(), None).unwrap();
+    mesh
+}
+
+/// Returns the mesh of a run, whose certificate holds.
+fn run(points: &[Point], triangles: &[[u32; 3]], options: &Options) -> Triangulation {
+    let mut mesh = surface(points, triangles);
+    mesh.run(options, None).unwrap_or_else(|error| panic!("{}", error.message()));
+    assert_holds(&mesh);
+    mesh.result().unwrap().clone()
+}
+
+/// Returns a box between two corners, oriented outwards.
+fn cuboid([a, b]: [Point; 2], first: u32) -> (Vec<Point>, Vec<[u32; 3]>) {
+    let corner = |at: u32| [0, 1, 2].map(|k| if at >> k & 1 == 0 { a[k] } else { b[k] });
+    let quads =
+        [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let triangles = quads.iter().flat_map(|&[a, b, c, d]| {
+        [[a, b, c], [a, c, d]].map(|own| own.map(|vertex: u32| vertex + first))
+    });
+    ((0..8).map(corner).collect(), triangles.collect())
+}
+
+fn crossing_boxes() -> (Vec<Point>, Vec<[u32; 3]>) {
+    let (mut points, mut triangles) = cuboid([[0.0; 3], [4.0; 3]], 0);
+    let (more, others) = cuboid([[2.5, 1.25, 1.5], [6.0, 3.5, 2.75]], 8);
+    points.extend(more);
+    triangles.extend(others);
+    (points, triangles)
+}
+
+#[test]
+fn shells_that_cross_enclose_what_the_rule_says() {
+    let (points, triangles) = crossing_boxes();
+    let (whole, other) = (64.0, 3.5 * 2.25 * 1.25);
+    let common = 1.5 * 2.25 * 1.25;
+    for (interior, expected) in [
+        (Interior::Auto, whole + other - common),
+        (Interior::Winding, whole + other - common),
+        (Interior::Parity, whole + other - 2.0 * common),
+        (Interior::Seeds, whole + other - common),
+    ] {
+        for bound in [f64::INFINITY, 2.0] {
+            let options = Options { interior, ..split(Extent::Boundary, bound) };
+            let made = run(&points, &triangles, &options);
+            assert!((volume(&made) - expected).abs() < 1e-12 * expected, "{interior:?}");
+        }
+    }
+    let mut mesh = surface(&points, &triangles);
+    let error = mesh.run(&bounded(2.0), None).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::InvalidArgument);
+    assert!(
+        error.message().ends_with("with options.crossings = Crossings::Split they are split there")
+    );
+}
+
+/// Holds that a shell within a shell is a hole in it if it is turned round, and none otherwise.
+#[test]
+fn hollow_shells_are_hollow() {
+    let (mut points, mut triangles) = cuboid([[0.0; 3], [4.0; 3]], 0);
+    let (more, mut inner) = cuboid([[1.0; 3], [2.0; 3]], 8);
+    points.extend(more);
+    for is_turned in [false, true] {
+        inner.iter_mut().for_each(|own| own.reverse());
+        let all = [&triangles[..], &inner].concat();
+        let made = run(&points, &all, &bounded(2.0));
+        assert_eq!(made.parameters.interior, Interior::Winding);
+        // Turned an odd number of times they are hollow.
+        let expected = if is_turned { 64.0 } else { 63.0 };
+        assert!((volume(&made) - expected).abs() < 1e-12, "{is_turned}");
+    }
+    // One triangle turned round: no rule is sure, and all that is shut off is inside.
+    triangles[0].reverse();
+    let made = run(&points, &[&triangles[..], &inner].concat(), &bounded(2.0));
+    assert_eq!(made.parameters.interior, Interior::Seeds);
+    assert!((volume(&made) - 64.0).abs() < 1e-12);
+}
+
+/// Holds that of triangles that are there twice one stays: between two boxes it is a wall.
+#[test]
+fn walls_that_are_there_twice_are_one() {
+    let (mut points, mut triangles) = cuboid([[0.0; 3], [1.0; 3]], 0);
+    let (more, others) = cuboid([[1.0, 0.0, 0.0], [2.0, 1.0, 1.0]], 8);
+    points.extend(more);
+    triangles.extend(others);
+    for interior in [Interior::Auto, Interior::Parity] {
+        let options = Options { interior, ..split(Extent::Boundary, 2.0) };
+        let made = run(&points, &triangles, &options);
+        assert_eq!(volume(&made), 2.0, "{interior:?}");
+        // The wall has two triangles, with a simplex on both sides.
+        let sides = made.boundary.subfacet_simplices.iter();
+        assert!(sides.filter(|sides| sides.iter().all(|&one| one != netmesh::NONE)).count() >= 2);
+    }
+}
+
+/// Holds that soups end in a mesh with its certificate, or in a limit where doubles have no room.
+#[test]
+fn soups_hold_their_certificate() {
+    let mut random = Random::new(31);
+    let (mut made, mut left) = (0, 0);
+    for trial in 0..36 {
+        let count = 2 + trial % 6;
+        let mut corner = || [0; 3].map(|_: i32| (random.unit() * 40.0).round() / 10.0);
+        let points: Vec<Point> = std::iter::repeat_with(&mut corner).take(3 * count).collect();
+        let triangles: Vec<[u32; 3]> =
+            (0..count as u32).map(|at| [3 * at, 3 * at + 1, 3 * at + 2]).collect();
+        for (extent, bound) in [(Extent::All, f64::INFINITY), (Extent::Box, 2.0)] {
+            let mut mesh = surface(&points, &triangles);
+            match mesh.run(&split(extent, bound), None) {
+                Ok(()) => {
+                    assert_holds(&mesh);
+                    made += 1;
+                }
+                Err(error) => {
+                    assert_eq!(error.kind(), ErrorKind::Limit, "{trial}: {}", error.message());
+                    left += 1;
+                }
+            }
+        }
+    }
+    assert!(made >= 68 && left <= 4, "{made} {left}");
+}

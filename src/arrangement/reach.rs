@@ -135,6 +135,12 @@ impl<const D: usize> Reach<D> {
         self.is_between(x) && self.is_near(self.ends.each_ref(), x)
     }
 
+    /// Returns true if a point is no farther from the straight segment than a vertex that this is
+    /// bent through.
+    pub fn may_go_through(&self, x: &[f64; D]) -> bool {
+        self.offset_from_segment(x) <= FARTHEST
+    }
+
     /// Returns true if the position of a point is between those of the ends.
     pub fn is_between(&self, x: &[f64; D]) -> bool {
         let [from, position, to] = [&self.ends[0], x, &self.ends[1]].map(|x| self.position(x));

@@ -3,7 +3,7 @@
 use super::plane::OffPlane;
 use crate::error::{Choice, Error, Message, Name, say};
 use crate::mesh::{Facets, Feature, Inputs, Intersection, IntersectionKind};
-use crate::options::Crossings;
+use crate::options::{Crossings, Extent};
 
 /// Returns the error that a facet is not plane.
 pub(super) fn not_plane(inputs: &Inputs, facet: u32, off: &OffPlane) -> Error {
@@ -12,6 +12,15 @@ pub(super) fn not_plane(inputs: &Inputs, facet: u32, off: &OffPlane) -> Error {
         "facets[{facet}] is not plane: its input {input} is {distance} from the plane of others; \
          split it into triangles, or allow more by ",
         Name::Coplanar
+    ))
+}
+
+/// Returns the error that facets are split at crossings, which a hull is not led through.
+pub(super) fn no_hull_of_crossings() -> Error {
+    Error::invalid(say!(
+        Choice::Extent(Extent::Hull),
+        " does not go with facets that are split at their crossings, but with ",
+        Choice::Extent(Extent::Box)
     ))
 }
 

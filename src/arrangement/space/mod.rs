@@ -61,7 +61,7 @@ use crate::mesh::{
 };
 use crate::numerics::coordinates;
 use crate::options::{Crossings, Extent};
-use faults::{not_plane, refused};
+use faults::{no_hull_of_crossings, not_plane, refused};
 use fit::Fitted;
 use isolated::Isolated;
 use pieces::{Piece, Pieces};
@@ -103,6 +103,9 @@ pub fn arrange_in_space(task: &TaskInSpace<'_>, poll: Poll<'_>) -> Result<Arrang
             Crossings::Split => split::split(&mut points, task, &pieces, poll)?,
         };
         pieces = split.ok_or_else(|| refused(facets, first, found.len(), task.crossings))?;
+        if task.extent == Extent::Hull {
+            return Err(no_hull_of_crossings());
+        }
     } else if let Some((through, isolated)) = through_isolated(&points, task, &pieces, poll)? {
         pieces = through;
         isolated.offsets().for_each(|offset| arrangement.note_offset(offset));

@@ -1,8 +1,9 @@
 //! Points that become vertices where none is near.
 
 use crate::arrangement::near::Near;
-use crate::arrangement::reach::NEAR;
+use crate::arrangement::reach::{NEAR, Reach};
 use crate::memory::{AllocResult, TryGrow, copied, with_capacity};
+use crate::mesh::NONE;
 use std::array::from_fn;
 use std::collections::BTreeMap;
 
@@ -13,6 +14,9 @@ pub(super) struct Candidate {
     /// Units in the last place of the largest coordinates that it was computed from; zeros where
     /// these are too close to each other for rounding to explain a gap.
     pub units: [f64; 3],
+    /// Edges of facets or segments, or [`NONE`], that the point is on, by their ends: as far from them
+    /// as a vertex of another piece may be, it is not that vertex.
+    pub edges: [[u32; 2]; 2],
     /// The three facets that go through the point, if that is known: wherever it is computed, it is
     /// one vertex.
     pub facets: Option<[u32; 3]>,
@@ -49,7 +53,11 @@ pub(super) fn vertices_of(
                 let is_close = |k: usize| {
                     (y[k] - candidate.x[k]).abs() <= NEAR * units[k].max(candidate.units[k])
                 };
-                if (0..3).all(is_close) {
+                let may_be = |edge: &[u32; 2]| {
+                    edge[0] == NONE
+                        || Reach::of(edge.map(|end| &points[end as usize])).may_go_through(y)
+                };
+                if (0..3).all(is_close) && candidate.edges.iter().all(may_be) {
                     vertex = Some(vertex.map_or(there, |first: u32| first.min(there)));
                 }
                 Ok(true)

@@ -11,6 +11,7 @@ use crate::arrangement::poll::Poll;
 use crate::arrangement::reach::{Reach, unit_in_last_place};
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow};
+use crate::mesh::NONE;
 use std::array::from_fn;
 
 /// Corners of what pieces share, by pairs of pieces, and the points where there is no vertex yet.
@@ -55,7 +56,7 @@ impl Corners {
         let mut pairs = 0;
         each_meeting(points, pieces, poll, |both, meeting| {
             for &faces in meeting.corners() {
-                found.add(points, pieces, (pairs, both), faces)?;
+                found.add(points, pieces, owners, (pairs, both), faces)?;
             }
             pairs += 1;
             Ok(())
@@ -70,6 +71,7 @@ impl Corners {
         &mut self,
         points: &[[f64; 3]],
         pieces: &Pieces,
+        owners: &Owners,
         (pair, both): (u32, [u32; 2]),
         faces: [Face; 2],
     ) -> AllocResult<()> {
@@ -78,9 +80,13 @@ impl Corners {
         let vertex = match single {
             Some(which) => Vertex::Known(vertices[which][faces[which].trailing_zeros() as usize]),
             None => {
-                let x = corner(points, vertices, faces);
+                let x = corner_of(points, vertices, faces);
                 let units = units(points, vertices.into_iter().flatten().copied());
-                self.candidate(Candidate { x, units, facets: None })?
+                let edges = [0, 1].map(|which: usize| match faces[which].count_ones() {
+                    2 => owners.straight(edge_of(vertices[which], faces[which])),
+                    _ => [NONE; 2],
+                });
+                self.candidate(Candidate { x, units, edges, facets: None })?
             }
         };
         self.all.try_push(Corner { pair, pieces: both, faces, vertex })
@@ -115,7 +121,8 @@ impl Corners {
                         let ends = ends.map(|ends| ends.map(|end| polygon.vertices[end as usize]));
                         let units = units(points, ends.iter().flatten().copied());
                         let facets = crossing_facets(owners, *facet, ends);
-                        self.candidate(Candidate { x, units, facets })?
+                        let edges = ends.map(|part| owners.straight(part));
+                        self.candidate(Candidate { x, units, edges, facets })?
                     }
                 };
                 let pieces = edges.map(|edge| first_piece + edge);
@@ -132,6 +139,21 @@ impl Corners {
         }
         Ok(())
     }
+}
+
+/// Returns the corner of what two pieces share, but for roundings. Where two edges cross it is on the
+/// one that has the finer units, if that is as near to the other as rounding explains.
+fn corner_of(points: &[[f64; 3]], vertices: [&[u32]; 2], faces: [Face; 2]) -> [f64; 3] {
+    let first = corner(points, vertices, faces);
+    if faces.iter().any(|face| face.count_ones() != 2) {
+        return first;
+    }
+    let reaches = [0, 1].map(|which: usize| {
+        Reach::of(edge_of(vertices[which], faces[which]).map(|end| &points[end as usize]))
+    });
+    let is_on_both = |x: &[f64; 3]| reaches.iter().all(|reach| reach.may_go_through(x));
+    let second = corner(points, [vertices[1], vertices[0]], [faces[1], faces[0]]);
+    if !is_on_both(&first) && is_on_both(&second) { second } else { first }
 }
 
 /// Returns the units in the last place of the largest coordinates of vertices; zeros if these are

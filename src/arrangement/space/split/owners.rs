@@ -5,6 +5,7 @@ use super::super::isolated::Isolated;
 use super::super::plane::units_of;
 use crate::arrangement::reach::Reach;
 use crate::memory::{AllocResult, TryGrow, collected};
+use crate::mesh::NONE;
 
 /// Edges of facets, segments and lines, by their parts.
 pub(super) struct Owners {
@@ -92,6 +93,13 @@ impl Owners {
         let begin = self.parts.partition_point(|own| own.0 < part);
         let own = self.parts[begin..].iter().take_while(move |own| own.0 == part);
         own.map(|own| own.1)
+    }
+
+    /// Returns the edge of a facet or segment that an edge is a part of; [`NONE`] for parts of lines,
+    /// and for edges between triangles of a facet.
+    pub fn straight(&self, part: [u32; 2]) -> [u32; 2] {
+        let mut own = self.of(part).filter(|edge| self.edges.binary_search(edge).is_ok());
+        own.next().unwrap_or([NONE; 2])
     }
 
     /// Returns true if an edge is a part of one, instead of one between triangles of a facet.

@@ -73,7 +73,10 @@ impl Placer<'_> {
             let face: Face = 1 << at | 1 << next;
             for edge in self.owners.of(edge_of(own, face)) {
                 let reach = self.owners.reach(self.points, edge, self.owners.facets_with(edge));
-                let is_on = face == corner.faces[which] && reach.is_between(x) || reach.holds(x);
+                let is_at = || {
+                    face == corner.faces[which] && reach.is_between(x) && reach.may_go_through(x)
+                };
+                let is_on = is_at() || reach.holds(x);
                 if is_on && !edge.contains(&vertex) {
                     self.added.on_edges.try_push((edge, vertex))?;
                 }

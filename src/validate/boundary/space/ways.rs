@@ -49,13 +49,6 @@ impl<'a> Ways<'a> {
         (vertex as usize) < self.inputs.distinct()
     }
 
-    /// Returns true if a chain may bend at a vertex: at an input, or if crossings are split at a
-    /// crossing.
-    fn is_anchor(&self, vertex: u32) -> bool {
-        self.is_input(vertex)
-            || self.splits_crossings() && self.faces.is_crossing(self.view, vertex)
-    }
-
     /// Returns true if the mesh is to split crossings.
     pub fn splits_crossings(&self) -> bool {
         self.view.mesh.parameters.crossings == Crossings::Split
@@ -155,13 +148,15 @@ impl<'a> Ways<'a> {
         }
     }
 
-    /// Checks that anchors on the chain that was found last are near its way, and other vertices
-    /// within half a unit in the last place of the line between the anchors next to them.
+    /// Checks that inputs on the chain that was found last are near its way, and other vertices
+    /// within half a unit in the last place of the line between the inputs next to them. If
+    /// crossings are split, they may be as far from the way as inputs.
     fn check_vertices(&self, way: Way, findings: &mut Findings) -> AllocResult<()> {
+        let splits = self.splits_crossings();
         let mut from = 0;
         for to in 1..self.path.len() {
             let end = self.path[to];
-            if !self.is_anchor(end) {
+            if !self.is_input(end) && !splits {
                 continue;
             }
             if end != way.ends[1] {

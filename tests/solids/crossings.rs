@@ -5,6 +5,7 @@ use super::{Point, assert_holds, bounded, volume};
 use crate::random::Random;
 use netmesh::error::ErrorKind;
 use netmesh::options::{Crossings, Extent, Interior, Options};
+use netmesh::validate::{Outline, ViolationKind as Kind, validate_outlined};
 use netmesh::{Mesh, Triangulation};
 
 fn split(extent: Extent, bound: f64) -> Options {
@@ -106,6 +107,54 @@ fn walls_that_are_there_twice_are_one() {
         let sides = made.boundary.subfacet_simplices.iter();
         assert!(sides.filter(|sides| sides.iter().all(|&one| one != netmesh::NONE)).count() >= 2);
     }
+}
+
+/// Returns the first violation of a mesh of the crossing boxes that is changed.
+fn violation(change: impl FnOnce(&mut Triangulation)) -> (Kind, usize) {
+    let (points, triangles) = crossing_boxes();
+    let mut mesh = surface(&points, &triangles);
+    mesh.run(&split(Extent::All, f64::INFINITY), None).unwrap();
+    let mut changed = mesh.result().unwrap().clone();
+    // The chains of the caller's edges bend at crossings: one of these is the corner of a line.
+    let at = changed.points.chunks(3).position(|x| x == [4.0, 1.25, 1.5]).unwrap();
+    change(&mut changed);
+    let (facets, segments) = (mesh.given_facets(), mesh.segments());
+    let outline = Outline { segments, facets, regions: &[] };
+    let report = validate_outlined(mesh.inputs(), outline, &changed, 2).unwrap();
+    (report.first.map(|first| first.kind).unwrap(), at)
+}
+
+/// Holds that the certificate admits lines between facets and bent chains only where crossings are
+/// to be split, and no bend beyond roundings.
+#[test]
+fn the_certificate_knows_what_may_be_split() {
+    let (kind, at) = violation(|made| made.parameters.crossings = Crossings::Refuse);
+    assert_eq!(kind, Kind::SegmentLine);
+    // A line of no two facets.
+    let (kind, _) = violation(|made| {
+        let edge = |ends: &[u32; 2], parents: &[u32]| {
+            let faces = made.boundary.subfacets.iter().zip(parents);
+            let beside = faces.filter(|(face, _)| ends.iter().all(|end| face.contains(end)));
+            beside.map(|(_, &parent)| parent).collect::<Vec<u32>>()
+        };
+        let parents = &made.boundary.subfacet_parents;
+        let sides = made.boundary.subfacets.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+        let is_inner = |ends: &[u32; 2]| {
+            let of = edge(ends, parents);
+            let is_new = !made
+                .boundary
+                .subsegments
+                .iter()
+                .any(|own| own.contains(&ends[0]) && own.contains(&ends[1]));
+            of.len() == 2 && of[0] == of[1] && is_new
+        };
+        let inner = sides.filter(is_inner).min().unwrap();
+        made.boundary.subsegments.push(inner);
+        made.boundary.parents.push(netmesh::NONE);
+    });
+    assert_eq!(kind, Kind::SegmentLine);
+    let (kind, _) = violation(|made| made.points[3 * at + 1] += 64.0 * f64::EPSILON);
+    assert!(kind.level() == 2, "{kind:?}");
 }
 
 /// Holds that soups end in a mesh with its certificate, or in a limit where doubles have no room.

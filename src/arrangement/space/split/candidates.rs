@@ -14,8 +14,8 @@ pub(super) struct Candidate {
     /// Units in the last place of the largest coordinates that it was computed from; zeros where
     /// these are too close to each other for rounding to explain a gap.
     pub units: [f64; 3],
-    /// Edges of facets or segments, or [`NONE`], that the point is on, by their ends: as far from them
-    /// as a vertex of another piece may be, it is not that vertex.
+    /// Edges of facets or segments, or [`NONE`], that the point is on, by their ends: as far from
+    /// them as a vertex of another piece may be, it is not that vertex.
     pub edges: [[u32; 2]; 2],
     /// The three facets that go through the point, if that is known: wherever it is computed, it is
     /// one vertex.

@@ -141,8 +141,8 @@ impl Corners {
     }
 }
 
-/// Returns the corner of what two pieces share, but for roundings. Where two edges cross it is on the
-/// one that has the finer units, if that is as near to the other as rounding explains.
+/// Returns the corner of what two pieces share, but for roundings. Where two edges cross it is on
+/// the one that has the finer units, if that is as near to the other as rounding explains.
 fn corner_of(points: &[[f64; 3]], vertices: [&[u32]; 2], faces: [Face; 2]) -> [f64; 3] {
     let first = corner(points, vertices, faces);
     if faces.iter().any(|face| face.count_ones() != 2) {

@@ -95,8 +95,8 @@ impl Owners {
         own.map(|own| own.1)
     }
 
-    /// Returns the edge of a facet or segment that an edge is a part of; [`NONE`] for parts of lines,
-    /// and for edges between triangles of a facet.
+    /// Returns the edge of a facet or segment that an edge is a part of; [`NONE`] for parts of
+    /// lines, and for edges between triangles of a facet.
     pub fn straight(&self, part: [u32; 2]) -> [u32; 2] {
         let mut own = self.of(part).filter(|edge| self.edges.binary_search(edge).is_ok());
         own.next().unwrap_or([NONE; 2])

@@ -112,8 +112,8 @@ impl Placer<'_> {
         });
         let [first, second] = &placed[..] else { return Ok(()) };
         let ends = [first.vertex, second.vertex];
-        for which in 0..2 {
-            let facet = self.pieces.all[pair[which] as usize].facet();
+        for (which, piece) in pair.into_iter().enumerate() {
+            let facet = self.pieces.all[piece as usize].facet();
             let are_on_one = first.edges[which] & second.edges[which] != 0;
             if let (false, Some(facet)) = (are_on_one, facet) {
                 self.added.lines.try_push((facet, ends))?;

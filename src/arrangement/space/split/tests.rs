@@ -182,7 +182,7 @@ fn sheaves_are_split() {
         let mut triangles = Vec::new();
         let is_pencil = trial % 2 == 0;
         for at in 0..3 + trial % 7 {
-            let angle = f64::from(at as i32) * 0.7 + 0.1;
+            let angle = f64::from(at) * 0.7 + 0.1;
             let [c, s] = [angle.cos(), angle.sin()];
             let tilt = if is_pencil { 0.0 } else { random.unit() - 0.5 };
             let x = |u: f64, v: f64| [0.1 + u * c, 0.2 + u * s, 0.3 + v + tilt * u];

@@ -123,7 +123,7 @@ fn named(path: &str, message: String) -> String {
 
 /// Returns true for what is given on the command line, and false for what files say.
 fn is_option(name: Name) -> bool {
-    !matches!(name, Name::Seed(_) | Name::SizeAt(_) | Name::BackgroundSizeAt(_))
+    !matches!(name, Name::Seed(_) | Name::SizeAt(_) | Name::BackgroundSizeAt(_) | Name::Triangle(_))
 }
 
 fn code_of(kind: ErrorKind) -> ExitCode {

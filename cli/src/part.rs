@@ -38,5 +38,5 @@ pub fn told(arguments: &Arguments, mesh: &Mesh) -> Option<String> {
     let angle = used.min_dihedral != given.min_dihedral;
     let angle = angle.then(|| format!("--min-dihedral {MIN_DIHEDRAL}"));
     let all: Vec<String> = coplanar.into_iter().chain(angle).collect();
-    (!all.is_empty()).then(|| format!("with {}, as nothing else is given", all.join(" and ")))
+    (!all.is_empty()).then(|| format!("{} by default", all.join(" and ")))
 }

@@ -35,9 +35,9 @@ fn parts_have_defaults_of_their_own() {
     let bench = Workbench::new("facets_defaults");
     bench.write("cube.off", CUBE);
     for (line, coplanar, angle, told) in [
-        ("", "0.1", "10", Some("with --coplanar 0.1 and --min-dihedral 10, as nothing else is")),
-        ("--coplanar 0", "0", "10", Some("with --min-dihedral 10, as nothing else is given\n")),
-        ("--min-dihedral 0", "0.1", "0", Some("with --coplanar 0.1, as nothing else is given\n")),
+        ("", "0.1", "10", Some(" --coplanar 0.1 and --min-dihedral 10 by default\n")),
+        ("--coplanar 0", "0", "10", Some(" --min-dihedral 10 by default\n")),
+        ("--min-dihedral 0", "0.1", "0", Some(" --coplanar 0.1 by default\n")),
         ("--coplanar 0.5 --min-dihedral 5", "0.5", "5", None),
         ("--hierarchical --coplanar 1", "1", "0", None),
         ("--extent hull", "0", "0", None),
@@ -54,7 +54,7 @@ fn parts_have_defaults_of_their_own() {
         }
         match told {
             Some(told) => assert!(outcome.stdout.contains(told), "{line}: {}", outcome.stdout),
-            None => assert!(!outcome.stdout.contains("as nothing else"), "{}", outcome.stdout),
+            None => assert!(!outcome.stdout.contains(" by default"), "{}", outcome.stdout),
         }
     }
 }

@@ -131,10 +131,11 @@ def mesh(
     interior : {'auto', 'seeds', 'parity', 'winding'}
         Rule by which regions between segments, in 3D between facets, are inside, where `extent` is
         auto or boundary; seeds may make holes of them. 'auto': parity for the polygons of a GeoJSON
-        or WKT file, seeds otherwise; 'seeds': all that cannot be reached from outside without
-        crossing a segment or facet; 'parity': regions into which a path from outside crosses an odd
-        number of segments or facets; 'winding': regions whose winding number, by the directions of
-        the segments or the normals of the facets, is not 0.
+        or WKT file, winding for triangles in space that are closed and oriented alike, seeds
+        otherwise; 'seeds': all that cannot be reached from outside without crossing a segment or
+        facet; 'parity': regions into which a path from outside crosses an odd number of segments or
+        facets; 'winding': regions whose winding number, by the directions of the segments or the
+        normals of the facets, is not 0.
     crossings : {'refuse', 'split'}
         Treatment of segments, in 3D of facets too, that cross where no input is. 'refuse': the run
         is refused; 'split': the double nearest to the crossing becomes a vertex of both.

@@ -234,7 +234,8 @@ choices! {
         Boundary "boundary": "the region that segments or facets enclose",
     }
     Interior "interior" {
-        Auto "auto": "parity for the polygons of a GeoJSON or WKT file, seeds otherwise",
+        Auto "auto": "parity for the polygons of a GeoJSON or WKT file, winding for triangles in \
+            space that are closed and oriented alike, seeds otherwise",
         Seeds "seeds": "all that cannot be reached from outside without crossing a segment or \
             facet",
         Parity "parity": "regions into which a path from outside crosses an odd number of segments \

@@ -56,16 +56,17 @@ pub(super) fn refused(
     if count > 1 {
         message.add_text(format_args!("; {count} intersections in all"));
     }
+    let is_split = first.first != first.second && first.kind != IntersectionKind::Overlap;
     match crossings {
-        Crossings::Refuse if first.kind != IntersectionKind::ZeroArea => {
+        Crossings::Refuse if is_split => {
             message.add_text(format_args!("; with "));
             message.add_name(Choice::Crossings(Crossings::Split).into());
             message.add_text(format_args!(" they are split there"));
         }
-        Crossings::Refuse => {}
-        Crossings::Split => message.add_text(format_args!(
+        Crossings::Split if is_split => message.add_text(format_args!(
             "; some still meet after they were split: they overlap, or doubles have no room there"
         )),
+        _ => {}
     }
     Error::invalid(message)
 }

@@ -75,6 +75,11 @@ impl Isolated {
         self.lines[begin..end].iter().map(|line| line.1)
     }
 
+    /// Returns the vertices on edges and lines, each with the edge.
+    pub fn on_edges(&self) -> impl Iterator<Item = ([u32; 2], u32)> {
+        self.on_edges.iter().map(|on| (on.0, on.1))
+    }
+
     /// Returns the lines in all facets, each with its facet.
     pub fn lines(&self) -> impl Iterator<Item = ([u32; 2], u32)> {
         self.lines.iter().map(|&(facet, line)| (line, facet))

@@ -99,8 +99,10 @@ pub fn arrange_in_space(task: &TaskInSpace<'_>, poll: Poll<'_>) -> Result<Arrang
     let mut arrangement = Arrangement { regions: copied(task.regions)?, ..Arrangement::default() };
     if let Some(first) = found.first() {
         let split = match task.crossings {
-            Crossings::Refuse => None,
-            Crossings::Split => split::split(&mut points, task, &pieces, poll)?,
+            Crossings::Split if pieces.untiled.is_empty() => {
+                split::split(&mut points, task, &pieces, poll)?
+            }
+            _ => None,
         };
         pieces = split.ok_or_else(|| refused(facets, first, found.len(), task.crossings))?;
         if task.extent == Extent::Hull {
@@ -237,12 +239,14 @@ fn add_polygons(
     arrangement: &mut Arrangement,
 ) -> AllocResult<()> {
     arrangement.facets = with_capacity(facets.count())?;
-    let all = 0..facets.count() as u32;
-    arrangement.facets.extend(all.map(|parent| ArrangedFacet { parent, balance: 1 }));
     for piece in pieces {
-        if let (Feature::Facet(facet), Some(vertices)) = (piece.feature, piece.triangle()) {
-            arrangement.triangles.try_push(FacetTriangle { vertices, facet })?;
+        let (Some(parent), Some(vertices)) = (piece.facet(), piece.triangle()) else { continue };
+        // Those without an area, if crossings are split, have no triangles.
+        if arrangement.facets.last().is_none_or(|last| last.parent != parent) {
+            arrangement.facets.push(ArrangedFacet { parent, balance: 1 });
         }
+        let facet = arrangement.facets.len() as u32 - 1;
+        arrangement.triangles.try_push(FacetTriangle { vertices, facet })?;
     }
     Ok(())
 }

@@ -134,7 +134,7 @@ fn loops_that_meet_are_refused() {
     assert_eq!(
         bow.refusal(),
         "facets[0] crosses itself near (2, 2, 1); facets and segments may meet only in vertices \
-         and edges of both; with options.crossings = Crossings::Split they are split there"
+         and edges of both"
     );
     let touching = with(&[[2.0, 0.0, 1.0], [3.0, 1.0, 1.0], [1.0, 1.0, 1.0]]);
     let touching = Case::polygons(&touching, &[vec![vec![0, 1, 2, 3], vec![4, 5, 6]]]);

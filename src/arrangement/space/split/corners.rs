@@ -160,11 +160,19 @@ fn corner_of(points: &[[f64; 3]], vertices: [&[u32]; 2], faces: [Face; 2]) -> [f
 /// too close to each other for rounding to explain a gap.
 fn units(points: &[[f64; 3]], vertices: impl Iterator<Item = u32> + Clone) -> [f64; 3] {
     let [low, high] = bounds_of(vertices.map(|vertex| &points[vertex as usize]));
-    let units = from_fn(|k| unit_in_last_place(low[k].abs().max(high[k].abs())));
+    let units: [f64; 3] = from_fn(|k| unit_in_last_place(low[k].abs().max(high[k].abs())));
     match Reach::of([&low, &high]).is_long() {
-        true => units,
+        true => spread(units, from_fn(|k| high[k] - low[k])),
         false => [0.0; 3],
     }
+}
+
+/// Returns units with those of the coarsest axis for all: what is slanted has its roundings on
+/// every axis. An axis has no unit beyond a part of 2^40 of an extent along it.
+pub(super) fn spread(units: [f64; 3], extents: [f64; 3]) -> [f64; 3] {
+    const PART: f64 = 1.0 / (1u64 << 40) as f64;
+    let coarsest = units.iter().fold(0.0f64, |most, unit| most.max(*unit));
+    from_fn(|k| units[k].max(coarsest.min(PART * extents[k])))
 }
 
 /// Returns the three facets of which two lines in a facet are crossings, if each is one with a

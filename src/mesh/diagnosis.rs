@@ -46,9 +46,4 @@ impl Diagnosis {
     pub fn intersections_of(&self, kind: IntersectionKind) -> usize {
         self.intersections.iter().filter(|found| found.kind == kind).count()
     }
-
-    /// Returns true if nothing was found.
-    pub fn is_clean(&self) -> bool {
-        self.edges.is_empty() && self.intersections.is_empty()
-    }
 }

@@ -34,6 +34,7 @@ pub(super) struct Pieces {
     pub lines: Vec<[u32; 2]>,
     /// Facets that meet themselves, or have no area.
     pub faults: Vec<Intersection>,
+    /// Facets that meet themselves, for their crossings to be found.
     pub untiled: Vec<Untiled>,
     /// First facet that is not plane, with its vertex that is farthest off.
     pub off_plane: Option<(u32, OffPlane)>,

@@ -2,10 +2,9 @@
 
 use crate::arrangement::near::Near;
 use crate::arrangement::reach::{NEAR, Reach};
-use crate::memory::{AllocResult, TryGrow, copied, with_capacity};
+use crate::memory::{AllocResult, TryGrow, collected, copied, with_capacity};
 use crate::mesh::NONE;
 use std::array::from_fn;
-use std::collections::BTreeMap;
 
 /// Point that becomes a vertex, unless one is there.
 #[derive(Clone, Copy)]
@@ -38,9 +37,10 @@ pub(super) fn vertices_of(
         from_fn(|k| widest[k].max(NEAR * candidate.units[k]))
     });
     let mut vertices: Vec<u32> = with_capacity(candidates.len())?;
-    let mut of_facets = BTreeMap::new();
+    let firsts = first_of_facets(candidates)?;
     for (number, candidate) in candidates.iter().enumerate() {
-        let mut vertex = candidate.facets.and_then(|facets| of_facets.get(&facets).copied());
+        let first = firsts[number] as usize;
+        let mut vertex = (first < number).then(|| vertices[first]);
         if vertex.is_none() {
             near.each_in_box(&candidate.x, &widest, |at, _| {
                 // A vertex, or a candidate that has become one.
@@ -70,10 +70,21 @@ pub(super) fn vertices_of(
                 points.len() as u32 - 1
             }
         };
-        if let Some(facets) = candidate.facets {
-            of_facets.insert(facets, vertex);
-        }
         vertices.push(vertex);
     }
     Ok(vertices)
+}
+
+/// Returns for each candidate the first one of the same three facets, which is itself where these
+/// are not known.
+fn first_of_facets(candidates: &[Candidate]) -> AllocResult<Vec<u32>> {
+    let known = (0u32..).zip(candidates);
+    let known = known.filter_map(|(number, one)| Some((one.facets?, number)));
+    let mut known = collected(known)?;
+    known.sort_unstable();
+    let mut firsts = collected(0..candidates.len() as u32)?;
+    for same in known.chunk_by(|a, b| a.0 == b.0) {
+        same.iter().for_each(|one| firsts[one.1 as usize] = same[0].1);
+    }
+    Ok(firsts)
 }

@@ -5,10 +5,11 @@ use super::super::crossed::{each_meeting_of_edges, images, point_of_edge, vertic
 use super::super::intersections::each_meeting;
 use super::super::meet::{Face, corner};
 use super::super::pieces::{Pieces, Untiled};
+use super::super::plane::units_of;
 use super::candidates::Candidate;
 use super::owners::Owners;
 use crate::arrangement::poll::Poll;
-use crate::arrangement::reach::{Reach, unit_in_last_place};
+use crate::arrangement::reach::Reach;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow};
 use crate::mesh::NONE;
@@ -159,20 +160,23 @@ fn corner_of(points: &[[f64; 3]], vertices: [&[u32]; 2], faces: [Face; 2]) -> [f
 /// Returns the units in the last place of the largest coordinates of vertices; zeros if these are
 /// too close to each other for rounding to explain a gap.
 fn units(points: &[[f64; 3]], vertices: impl Iterator<Item = u32> + Clone) -> [f64; 3] {
-    let [low, high] = bounds_of(vertices.map(|vertex| &points[vertex as usize]));
-    let units: [f64; 3] = from_fn(|k| unit_in_last_place(low[k].abs().max(high[k].abs())));
+    let corners = vertices.map(|vertex| &points[vertex as usize]);
+    let [low, high] = bounds_of(corners.clone());
     match Reach::of([&low, &high]).is_long() {
-        true => spread(units, from_fn(|k| high[k] - low[k])),
+        true => spread_units(corners),
         false => [0.0; 3],
     }
 }
 
-/// Returns units with those of the coarsest axis for all: what is slanted has its roundings on
-/// every axis. An axis has no unit beyond a part of 2^40 of an extent along it.
-pub(super) fn spread(units: [f64; 3], extents: [f64; 3]) -> [f64; 3] {
+/// Returns the units in the last place of the largest coordinates of points, those of the coarsest
+/// axis for all: what is slanted has its roundings on every axis. An axis has no unit beyond a part
+/// of 2^40 of the extent along it.
+pub(super) fn spread_units<'a>(points: impl Iterator<Item = &'a [f64; 3]> + Clone) -> [f64; 3] {
     const PART: f64 = 1.0 / (1u64 << 40) as f64;
+    let [low, high] = bounds_of(points.clone());
+    let units = units_of(points);
     let coarsest = units.iter().fold(0.0f64, |most, unit| most.max(*unit));
-    from_fn(|k| units[k].max(coarsest.min(PART * extents[k])))
+    from_fn(|k| units[k].max(coarsest.min(PART * (high[k] - low[k]))))
 }
 
 /// Returns the three facets of which two lines in a facet are crossings, if each is one with a

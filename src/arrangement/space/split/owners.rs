@@ -1,10 +1,8 @@
 //! Edges of facets, segments and lines, of which the edges of pieces are parts.
 
 use super::super::TaskInSpace;
-use super::super::boxes::bounds_of;
 use super::super::isolated::Isolated;
-use super::super::plane::units_of;
-use super::corners::spread;
+use super::corners::spread_units;
 use crate::arrangement::reach::Reach;
 use crate::memory::{AllocResult, TryGrow, collected};
 use crate::mesh::NONE;
@@ -54,9 +52,7 @@ impl Owners {
         parts.dedup();
         let units_of_facet = |facet: usize| {
             let own = facets.loops(facet).flatten();
-            let own = own.map(|&input| &points[vertex(input) as usize]);
-            let [low, high] = bounds_of(own.clone());
-            spread(units_of(own), std::array::from_fn(|k| high[k] - low[k]))
+            spread_units(own.map(|&input| &points[vertex(input) as usize]))
         };
         let units = collected((0..facets.count()).map(units_of_facet))?;
         Ok(Self { parts, edges, lines, units })

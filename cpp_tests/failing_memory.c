@@ -137,6 +137,9 @@ static void check(int holds, const char *what) {
   _exit(2);
 }
 
+/* The sides of a cube between a job's first eight points, or two tetrahedra that cross. */
+enum surface { NO_SURFACE, CUBE, CROSSINGS };
+
 /* What a job works on. */
 struct job {
   const char *name;
@@ -148,8 +151,7 @@ struct job {
   uint64_t segments;
   /* Which regions of these are inside. */
   nm_interior interior;
-  /* The sides of a cube between its first eight points. */
-  int has_facets;
+  enum surface surface;
 };
 
 /* Eight bytes at a time: byte for byte, children would mostly do this. Each step is a bijection. */
@@ -339,10 +341,18 @@ static int use_facets(const struct job *job, nm_mesh *mesh) {
          run_within(mesh, NM_EXTENT_ALL, NM_INTERIOR_SEEDS, NM_CROSSINGS_REFUSE) && measure(mesh);
 }
 
+/* Two tetrahedra that cross, and a triangle that is there twice: what is split in space. */
+static int use_crossings(const struct job *job, nm_mesh *mesh) {
+  static const uint32_t triangles[] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3, 4, 6, 5, 4, 5, 7, 5, 6, 7, 6, 4, 7, 0, 2, 1};
+  return succeeded(nm_mesh_set_triangles(mesh, 9, triangles, NULL), "triangles that cross") &&
+         run_within(mesh, NM_EXTENT_BOX, job->interior, NM_CROSSINGS_SPLIT) && measure(mesh);
+}
+
 /* Everything after the handle is there; stops where an allocation fails. */
 static int use(const struct job *job, nm_mesh *mesh) {
   if (job->segments > 0) return use_segments(job, mesh);
-  if (job->has_facets) return use_facets(job, mesh);
+  if (job->surface == CUBE) return use_facets(job, mesh);
+  if (job->surface == CROSSINGS) return use_crossings(job, mesh);
   return run(mesh, NM_OUTPUT_HIERARCHICAL, NM_ALGORITHM_NETMESH) && measure(mesh) &&
          export(mesh, job->mesh_format) && export(mesh, NM_FORMAT_OFF) &&
          export(mesh, NM_FORMAT_TETGEN_NODE) && export(mesh, NM_FORMAT_CSV) &&
@@ -399,6 +409,8 @@ int main(int count, char **arguments) {
   /* The bits of a corner's number are its coordinates, the last one first. */
   static const double cube[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1,
                                 0.5, 0.25, 0.5, 0.5, 0.5, 0.5};
+  /* Four corners each. */
+  static const double crossed[] = {0, 0, 0, 3, 0, 0, 0, 3, 0, 0, 0, 3, 0.5, 0.5, -1, 4, 0.75, 1, 0.75, 4, 1, 1, 1, 4};
   scatter(plane, 2, 36, 1.0);
   scatter(space, 3, 16, 1.0);
   /* Outside the window of the adaptive signs: all that the filters leave open goes to integers. */
@@ -407,15 +419,16 @@ int main(int count, char **arguments) {
   scatter(huge_4d, 4, 8, 1e200);
   for (size_t i = 0; i < 2 * 25; i++) lattice[i] = (double)(i % 2 ? i / 2 / 5 : i / 2 % 5);
   const struct job jobs[] = {
-      {"2d", 2, 36, NM_FORMAT_VTU, plane, 0, NM_INTERIOR_SEEDS, 0},
-      {"2d_lattice", 2, 25, NM_FORMAT_VTU, lattice, 0, NM_INTERIOR_SEEDS, 0},
-      {"3d", 3, 16, NM_FORMAT_VTU, space, 0, NM_INTERIOR_SEEDS, 0},
-      {"2d_big_integers", 2, 24, NM_FORMAT_VTU, huge_plane, 0, NM_INTERIOR_SEEDS, 0},
-      {"3d_big_integers", 3, 12, NM_FORMAT_VTU, huge_space, 0, NM_INTERIOR_SEEDS, 0},
-      {"4d_big_integers", 4, 8, NM_FORMAT_OFF, huge_4d, 0, NM_INTERIOR_SEEDS, 0},
-      {"2d_segments", 2, 8, NM_FORMAT_VTU, curve, 8, NM_INTERIOR_SEEDS, 0},
-      {"2d_parity", 2, 8, NM_FORMAT_VTU, curve, 8, NM_INTERIOR_PARITY, 0},
-      {"3d_facets", 3, 10, NM_FORMAT_VTU, cube, 0, NM_INTERIOR_PARITY, 1},
+      {"2d", 2, 36, NM_FORMAT_VTU, plane, 0, NM_INTERIOR_SEEDS, NO_SURFACE},
+      {"2d_lattice", 2, 25, NM_FORMAT_VTU, lattice, 0, NM_INTERIOR_SEEDS, NO_SURFACE},
+      {"3d", 3, 16, NM_FORMAT_VTU, space, 0, NM_INTERIOR_SEEDS, NO_SURFACE},
+      {"2d_big_integers", 2, 24, NM_FORMAT_VTU, huge_plane, 0, NM_INTERIOR_SEEDS, NO_SURFACE},
+      {"3d_big_integers", 3, 12, NM_FORMAT_VTU, huge_space, 0, NM_INTERIOR_SEEDS, NO_SURFACE},
+      {"4d_big_integers", 4, 8, NM_FORMAT_OFF, huge_4d, 0, NM_INTERIOR_SEEDS, NO_SURFACE},
+      {"2d_segments", 2, 8, NM_FORMAT_VTU, curve, 8, NM_INTERIOR_SEEDS, NO_SURFACE},
+      {"2d_parity", 2, 8, NM_FORMAT_VTU, curve, 8, NM_INTERIOR_PARITY, NO_SURFACE},
+      {"3d_facets", 3, 10, NM_FORMAT_VTU, cube, 0, NM_INTERIOR_PARITY, CUBE},
+      {"3d_crossings", 3, 8, NM_FORMAT_VTU, crossed, 0, NM_INTERIOR_SEEDS, CROSSINGS},
   };
   /* What ends a child would search for its own symbols first. */
   setenv("RUST_BACKTRACE", "0", 1);

@@ -2,6 +2,7 @@
 
 mod entries;
 mod files;
+mod memory;
 mod planted;
 mod planted_files;
 mod uses;
@@ -90,15 +91,19 @@ fn test_modules(files: &[(String, String)]) -> Vec<String> {
     modules
 }
 
-/// The source files without those that are only there for tests.
-fn sources() -> Vec<Source> {
-    let files = files();
+/// The source files without those that are only there for tests, and their text.
+fn library_files() -> Vec<(String, String)> {
+    let mut files = files();
     let tests = test_modules(&files);
     let is_test = |path: &str| {
         tests.iter().any(|t| path == t || t.ends_with('/') && path.starts_with(t.as_str()))
     };
-    let kept = files.iter().filter(|(path, _)| !is_test(path));
-    kept.map(|(path, text)| Source::parse(path, text)).collect()
+    files.retain(|(path, _)| !is_test(path));
+    files
+}
+
+fn sources() -> Vec<Source> {
+    library_files().iter().map(|(path, text)| Source::parse(path, text)).collect()
 }
 
 #[test]

@@ -44,7 +44,7 @@ pub(super) fn meet(points: &[[f64; 3]], one: &[u32], other: &[u32]) -> Option<Me
     meeting.are_triangles = one.len() == 3 && other.len() == 3;
     let corners = &mut meeting.corners[..meeting.count];
     // A corner that is not shared comes first.
-    corners.sort_by_key(is_shared);
+    corners.sort_unstable_by_key(is_shared);
     let is_fault = meeting.count == 3 && corners.iter().all(is_shared)
         || corners.first().is_some_and(|first| !is_shared(first));
     is_fault.then_some(meeting)

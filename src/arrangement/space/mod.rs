@@ -243,7 +243,7 @@ fn add_polygons(
         let (Some(parent), Some(vertices)) = (piece.facet(), piece.triangle()) else { continue };
         // Those without an area, if crossings are split, have no triangles.
         if arrangement.facets.last().is_none_or(|last| last.parent != parent) {
-            arrangement.facets.push(ArrangedFacet { parent, balance: 1 });
+            arrangement.facets.try_push(ArrangedFacet { parent, balance: 1 })?;
         }
         let facet = arrangement.facets.len() as u32 - 1;
         arrangement.triangles.try_push(FacetTriangle { vertices, facet })?;

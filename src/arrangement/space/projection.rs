@@ -18,9 +18,11 @@ impl Projection {
     pub fn of_triangle(corners: [&[f64; 3]; 3]) -> Option<Self> {
         let normal = approximate_normal(corners);
         let mut all = Self::ALL;
-        // Stable: of equal components the one on the last axis is the first.
-        all.reverse();
-        all.sort_by(|a, b| normal[b.axis].abs().total_cmp(&normal[a.axis].abs()));
+        // Of equal components the one on the last axis is the first.
+        all.sort_unstable_by(|a, b| {
+            let by_size = normal[b.axis].abs().total_cmp(&normal[a.axis].abs());
+            by_size.then(b.axis.cmp(&a.axis))
+        });
         all.into_iter().find(|projection| !projection.turn(corners).is_zero())
     }
 

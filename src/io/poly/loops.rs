@@ -59,9 +59,9 @@ impl Loops {
         let is_loop = |at: &u32| loops.polygons[*at as usize].corners.len() > 2;
         loops.order = collected((0..loops.polygons.len() as u32).filter(is_loop))?;
         let Self { polygons, order, .. } = &mut loops;
-        order.sort_by(|&a, &b| {
-            let [a, b] = [a, b].map(|at| polygons[at as usize].low[0]);
-            a.total_cmp(&b)
+        order.sort_unstable_by(|&a, &b| {
+            let [low_a, low_b] = [a, b].map(|at| polygons[at as usize].low[0]);
+            low_a.total_cmp(&low_b).then(a.cmp(&b))
         });
         loops.nest()?;
         Ok(loops)

@@ -41,7 +41,7 @@ pub(super) fn with_domains<const D: usize>(
         collected(pieces.iter().flat_map(|piece| &piece.domains))?;
     copies.retain(|domain| taken_by(domain.name) == domain.name);
     // By name, the latest version first. The root has the least name.
-    copies.sort_by_key(|domain| (domain.name, u64::MAX - domain.version));
+    copies.sort_unstable_by_key(|domain| (domain.name, u64::MAX - domain.version));
     let mut latest = Vec::new();
     for copies in copies.chunk_by(|a, b| a.name == b.name) {
         latest.try_push(merged(copies)?)?;

@@ -44,7 +44,7 @@ impl<const D: usize> State<D> {
         let mut inner = collected(living.filter(|&domain| hierarchy.node(domain).alive))?;
         // A domain has a smaller radius than its parent.
         let radius = |domain: &DomainId| hierarchy.node(*domain).radius;
-        inner.sort_by(|a, b| radius(a).total_cmp(&radius(b)));
+        inner.sort_unstable_by(|a, b| radius(a).total_cmp(&radius(b)));
         for &domain in &inner {
             inputs[hierarchy.parent(domain)] += inputs[domain];
         }

@@ -86,7 +86,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let count = facets.len();
         let mut order = collected(0..count as u32)?;
         let parent = |subfacet: u32| facets.facets[facets.get(subfacet).facet as usize].parent;
-        order.sort_by_key(|&subfacet| (parent(subfacet), facets.get(subfacet).facet));
+        order.sort_unstable_by_key(|&subfacet| {
+            (parent(subfacet), facets.get(subfacet).facet, subfacet)
+        });
         let mut simplices = filled(count, [NONE; 2])?;
         let complex = self.state.delaunay.complex();
         let chains = &self.state.segments.chains;

@@ -102,7 +102,7 @@ impl Placer<'_> {
     /// Joins the two corners of what two pieces share by a line in their facets, except along an
     /// edge.
     fn join(&mut self, pair: [u32; 2], placed: &mut Vec<Placed>) -> AllocResult<()> {
-        placed.sort_by_key(|placed| placed.vertex);
+        placed.sort_unstable_by_key(|placed| placed.vertex);
         placed.dedup_by(|next, kept| {
             let is_same = next.vertex == kept.vertex;
             if is_same {

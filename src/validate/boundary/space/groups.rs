@@ -91,9 +91,10 @@ fn triangles(inputs: &Inputs, facets: &Facets) -> AllocResult<Option<Vec<[u32; 3
 /// Returns by how much the winding number grows behind each subfacet.
 pub(super) fn steps(inputs: &Inputs, facets: &Facets, view: View<'_, 3>) -> AllocResult<Vec<i64>> {
     let splits = view.mesh.parameters.crossings == Crossings::Split;
-    let balances = match triangles(inputs, facets)? {
-        Some(triangles) if facets.are_triangles => balances_of(inputs, &triangles, splits)?,
-        _ => Vec::new(),
+    let triangles = if facets.are_triangles { triangles(inputs, facets)? } else { None };
+    let balances = match triangles {
+        Some(triangles) => balances_of(inputs, &triangles, splits)?,
+        None => Vec::new(),
     };
     let step = |&parent: &u32| match balances.get(parent as usize) {
         Some(balance) => balance.unwrap_or(0),

@@ -238,8 +238,8 @@ enum nm_crossings
     /**
      * The double nearest to the crossing of two segments becomes a vertex of both. In space,
      * points where an edge or segment meets a facet or another edge become vertices of both, but
-     * for roundings, and the line along which two facets meet becomes an edge of both; triangles
-     * without an area are left out. Facets that overlap are refused.
+     * for roundings, and the line along which two facets meet becomes an edge of both; an area
+     * that several facets share is left to the first; triangles without an area are left out.
      */
     NM_CROSSINGS_SPLIT = 1,
 };
@@ -3144,10 +3144,10 @@ nm_status nm_mesh_set_facets(struct nm_mesh *mesh,
  * only. They replace those of an earlier call, and the facets of nm_mesh_set_facets; count 0
  * removes them. The result of a run stays as it is until the next.
  *
- * inputs: three numbers of inputs a triangle, which must be different points. A triangle's normal
- * points to where they are seen counterclockwise. markers: a number of the caller's for each
- * triangle, or NULL for 0; by nm_mesh_get_facet_parents it is known of each triangle of the mesh.
- * Both are copied.
+ * inputs: three numbers of inputs a triangle; without an area is a triangle of which two are one
+ * point. A triangle's normal points to where they are seen counterclockwise. markers: a number of
+ * the caller's for each triangle, or NULL for 0; by nm_mesh_get_facet_parents it is known of each
+ * triangle of the mesh. Both are copied.
  *
  * Triangles that share an edge, have one marker and lie in one plane, up to nm_options.coplanar,
  * are one facet, whose number is that of the first of them: the edges between them need not be

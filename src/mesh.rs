@@ -376,13 +376,13 @@ impl Mesh {
 
     /// Sets the triangles of a surface in space, which the next run keeps: three inputs for each,
     /// and a marker of the caller's (0 without `markers`). Triangles that share an edge, lie in one
-    /// plane up to [`crate::Options::coplanar`] and have one marker are one facet. They replace
-    /// earlier triangles and facets; the result of a run stays as it is.
+    /// plane up to [`crate::Options::coplanar`] and have one marker are one facet. A triangle that
+    /// has a point twice is one without an area. They replace earlier triangles and facets; the
+    /// result of a run stays as it is.
     ///
     /// # Errors
     /// `InvalidArgument` (a mesh that is not in space; a length of `inputs` that is no multiple of
-    /// 3; a number that is no input; a triangle with one point twice; the length of `markers`),
-    /// `Capacity`, `OutOfMemory`.
+    /// 3; a number that is no input; the length of `markers`), `Capacity`, `OutOfMemory`.
     pub fn set_triangles(&mut self, inputs: &[u32], markers: Option<&[i32]>) -> Result<()> {
         let facets = Facets::of_triangles(&self.inputs, inputs, markers)?;
         self.replace_facets(facets);

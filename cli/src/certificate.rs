@@ -1,6 +1,7 @@
 //! Certificate of `--validate`: all of it holds, or the exit code is 7.
 
 use crate::exit_code::{ExitCode, Failure};
+use crate::numbers::counted;
 use netmesh::Mesh;
 use netmesh::validate::{Report, validate_mesh};
 
@@ -22,8 +23,9 @@ pub fn require(report: &Report) -> Result<(), Failure> {
     }
     let first = report.first.as_ref().map_or("none is named", |first| &first.message);
     let message = format!(
-        "the certificate is violated: level {} of {LEVEL} holds, {} violations, the first: {first}",
-        report.level, report.violations
+        "the certificate is violated: level {} of {LEVEL} holds, {}, the first: {first}",
+        report.level,
+        counted(report.violations, "violation", "violations")
     );
     Err(Failure::new(ExitCode::CertificateViolated, message))
 }

@@ -65,19 +65,19 @@ fn surfaces_are_diagnosed() {
     let bench = Workbench::new("facets_diagnosed");
     bench.write("cube.off", CUBE);
     // Two triangles that cross, a third on an edge of the first one turned round, one without an
-    // area and one that is there twice.
+    // area, another with an input twice, and one that is there twice.
     bench.write(
         "bad.off",
-        "OFF\n10 6 0\n0 0 0\n4 0 0\n0 4 0\n1 1 -1\n1 1 1\n9 9 1\n2 0 3\n7 7 7\n8 8 8\n9 9 9\n\
-         3 0 1 2\n3 3 4 5\n3 0 1 6\n3 7 8 9\n3 5 6 7\n3 5 6 7\n",
+        "OFF\n10 7 0\n0 0 0\n4 0 0\n0 4 0\n1 1 -1\n1 1 1\n9 9 1\n2 0 3\n7 7 7\n8 8 8\n9 9 9\n\
+         3 0 1 2\n3 3 4 5\n3 0 1 6\n3 7 8 9\n3 5 6 7\n3 5 6 7\n3 9 9 8\n",
     );
     bench.run("bad.off --diagnose bad.vtu").assert_success();
     let outcome = bench.run("bad.off --diagnose bad.vtu");
     for words in [
-        "10 points, 6 triangles in bad.off\n",
+        "10 points, 7 triangles in bad.off\n",
         "edges       7 edges where one triangle ends and no other begins\n",
         "            4 edges of two triangles that are turned round\n",
-        "faults      1 triangle without an area\n",
+        "faults      2 triangles without an area\n",
         "            1 pair that crosses",
         "            1 triangle with the vertices of an earlier one\n",
         "triangle 0 crosses triangle 1, at (1.5, 1.5, 0)",

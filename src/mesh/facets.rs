@@ -209,17 +209,7 @@ fn check_triangle(inputs: &Inputs, at: usize, corners: &[u32]) -> Result<()> {
             " has the input {bad}; it must be less than the number of inputs, {count}"
         )));
     }
-    let pairs = [[0, 1], [1, 2], [2, 0]].map(|pair| pair.map(|corner: usize| corners[corner]));
-    let Some([from, to]) = pairs.into_iter().find(|&[from, to]| are_equal(inputs, from, to)) else {
-        return Ok(());
-    };
-    Err(Error::invalid(match from == to {
-        true => say!(triangle, " has input {from} twice; its area is 0"),
-        false => say!(
-            triangle,
-            " has the inputs {from} and {to}, which are the same point; its area is 0"
-        ),
-    }))
+    Ok(())
 }
 
 fn are_equal(inputs: &Inputs, from: u32, to: u32) -> bool {
@@ -325,9 +315,6 @@ mod tests {
         assert_eq!(bad(&[0, 1, 2, 3], None), length);
         let range = "triangles[1] has the input 6; it must be less than the number of inputs, 6";
         assert_eq!(bad(&[0, 1, 2, 0, 6, 2], None), range);
-        assert_eq!(bad(&[2, 1, 2], None), "triangles[0] has input 2 twice; its area is 0");
-        let same = "triangles[1] has the inputs 5 and 0, which are the same point; its area is 0";
-        assert_eq!(bad(&[0, 1, 2, 0, 1, 5], None), same);
         let markers = "markers has length 0; it must be that of the triangles, 1";
         assert_eq!(bad(&[0, 1, 2], Some(&[])), markers);
     }

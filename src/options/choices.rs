@@ -97,8 +97,8 @@ pub enum Crossings {
     Refuse = 0,
     /// The double nearest to the crossing of two segments becomes a vertex of both. In space,
     /// points where an edge or segment meets a facet or another edge become vertices of both, but
-    /// for roundings, and the line along which two facets meet becomes an edge of both; triangles
-    /// without an area are left out. Facets that overlap are refused.
+    /// for roundings, and the line along which two facets meet becomes an edge of both; an area
+    /// that several facets share is left to the first; triangles without an area are left out.
     Split = 1,
 }
 

@@ -109,6 +109,120 @@ fn walls_that_are_there_twice_are_one() {
     }
 }
 
+/// Holds that triangles without an area, in a line or with an input twice, are refused by name or
+/// left out.
+#[test]
+fn triangles_without_an_area_are_left_out() {
+    let (mut points, mut triangles) = cuboid([[0.0; 3], [1.0; 3]], 0);
+    points.push([0.5, 0.0, 0.0]);
+    for own in [[0, 8, 1], [3, 3, 5], [6, 6, 6]] {
+        triangles.push(own);
+        let made = run(&points, &triangles, &split(Extent::Boundary, 2.0));
+        assert_eq!(volume(&made), 1.0, "{own:?}");
+        let error = surface(&points, &triangles).run(&bounded(2.0), None).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::InvalidArgument);
+        assert!(error.message().starts_with("triangles[12] has no area near"), "{error}");
+        assert!(error.message().ends_with("facets without an area are left out"), "{error}");
+    }
+}
+
+/// Returns boxes of which the sides of three lie in one plane and share areas, two of them twice.
+fn touching_boxes() -> (Vec<Point>, Vec<[u32; 3]>) {
+    let (mut points, mut triangles) = cuboid([[0.0; 3], [4.0; 3]], 0);
+    for [a, b] in [[[4.0, 1.0, 1.0], [6.0, 5.0, 2.0]], [[4.0, 2.0, -1.0], [5.0, 3.0, 1.0]]] {
+        let (more, others) = cuboid([a, b], points.len() as u32);
+        points.extend(more);
+        triangles.extend(others);
+    }
+    (points, triangles)
+}
+
+/// Turns points about the origin.
+fn turned(points: &[Point]) -> Vec<Point> {
+    let ([c, s], [d, t]) = ([0.8, 0.6], [5.0 / 13.0, 12.0 / 13.0]);
+    let turn = |&[x, y, z]: &Point| {
+        let (x, y) = (c * x - s * y, s * x + c * y);
+        [x, d * y - t * z, t * y + d * z]
+    };
+    points.iter().map(turn).collect()
+}
+
+/// Returns the area of the subfacets with simplices on both sides.
+fn area_of_walls(made: &Triangulation) -> f64 {
+    let boundary = &made.boundary;
+    let walls = boundary.subfacets.iter().zip(&boundary.subfacet_simplices);
+    let walls = walls.filter(|(_, sides)| !sides.contains(&netmesh::NONE));
+    let area = |(own, _): (&[u32; 3], _)| {
+        let [a, b, c] = own.map(|vertex| &made.points[3 * vertex as usize..][..3]);
+        let [u, v] = [b, c].map(|x| [0, 1, 2].map(|k| x[k] - a[k]));
+        let cross = [0, 1, 2].map(|k| {
+            let [i, j] = [(k + 1) % 3, (k + 2) % 3];
+            u[i] * v[j] - u[j] * v[i]
+        });
+        0.5 * cross.iter().map(|x| x * x).sum::<f64>().sqrt()
+    };
+    walls.map(area).sum()
+}
+
+/// Holds that sides which share areas are walls there, for triangles and for polygons, and where
+/// roundings leave them beside each other.
+#[test]
+fn sides_that_share_areas_are_walls() {
+    let (straight, triangles) = touching_boxes();
+    let expected = 64.0 + 8.0 + 2.0;
+    for points in [turned(&straight), straight] {
+        for interior in [Interior::Auto, Interior::Winding, Interior::Parity, Interior::Seeds] {
+            for bound in [f64::INFINITY, 2.0] {
+                let options = Options { interior, ..split(Extent::Boundary, bound) };
+                let made = run(&points, &triangles, &options);
+                assert!((volume(&made) - expected).abs() < 1e-12 * expected, "{interior:?}");
+                assert!((area_of_walls(&made) - 5.0).abs() < 1e-12, "{interior:?}");
+            }
+        }
+        let mut mesh = Mesh::new(3, points.len(), points.as_flattened(), 0).unwrap();
+        let quads: Vec<[u32; 4]> =
+            triangles.chunks(2).map(|two| [two[0][0], two[0][1], two[0][2], two[1][2]]).collect();
+        let starts: Vec<u64> = (0..=quads.len() as u64).collect();
+        let inputs: Vec<u64> = starts.iter().map(|at| 4 * at).collect();
+        mesh.set_facets(&starts, &inputs, quads.as_flattened(), None).unwrap();
+        let options = Options { interior: Interior::Winding, ..split(Extent::Boundary, 2.0) };
+        mesh.run(&options, None).unwrap_or_else(|error| panic!("{}", error.message()));
+        assert_holds(&mesh);
+        let made = mesh.result().unwrap();
+        assert!((volume(made) - expected).abs() < 1e-12 * expected);
+    }
+}
+
+/// Holds that a facet which lies on others is found in these, and that nothing else is.
+#[test]
+fn the_certificate_finds_what_is_borrowed() {
+    let (points, triangles) = touching_boxes();
+    let mut mesh = surface(&points, &triangles);
+    let options = Options { interior: Interior::Winding, ..split(Extent::Boundary, 2.0) };
+    mesh.run(&options, None).unwrap();
+    let made = mesh.result().unwrap();
+    let check = |changed: &Triangulation| {
+        let (facets, segments) = (mesh.given_facets(), mesh.segments());
+        let outline = Outline { segments, facets, regions: &[] };
+        validate_outlined(mesh.inputs(), outline, changed, 3).unwrap()
+    };
+    assert_eq!(check(made).violations, 0);
+    // A wall between two boxes is of the first, so that none is of the third.
+    let walls = made.boundary.subfacet_simplices.iter().map(|one| !one.contains(&netmesh::NONE));
+    let wall = walls.clone().position(|is_wall| is_wall).unwrap();
+    assert!(walls.zip(&made.boundary.subfacet_parents).all(|(wall, &parent)| !wall || parent < 24));
+    // A wall that is missing is missed by both of its facets.
+    let mut changed = made.clone();
+    changed.boundary.subfacets.remove(wall);
+    changed.boundary.subfacet_parents.remove(wall);
+    changed.boundary.subfacet_simplices.remove(wall);
+    assert!(check(&changed).violations > 0);
+    // Nothing is borrowed where crossings are refused.
+    let mut changed = made.clone();
+    changed.parameters.crossings = Crossings::Refuse;
+    assert!(check(&changed).violations > 0);
+}
+
 /// Returns the first violation of a mesh of the crossing boxes that is changed.
 fn violation(change: impl FnOnce(&mut Triangulation)) -> (Kind, usize) {
     let (points, triangles) = crossing_boxes();

@@ -51,20 +51,29 @@ pub(super) fn refused(
         }
     }
     let [x, y, z] = first.point;
-    let rule = "facets and segments may meet only in vertices and edges of both";
+    let rule = match first.kind {
+        IntersectionKind::ZeroArea => "a facet must have one",
+        _ => "facets and segments may meet only in vertices and edges of both",
+    };
     message.add_text(format_args!(" near ({x}, {y}, {z}); {rule}"));
     if count > 1 {
         message.add_text(format_args!("; {count} intersections in all"));
     }
-    let is_split = first.first != first.second && first.kind != IntersectionKind::Overlap;
+    let has_no_area = first.kind == IntersectionKind::ZeroArea;
+    let is_split = first.first != first.second;
     match crossings {
+        Crossings::Refuse if has_no_area => {
+            message.add_text(format_args!("; with "));
+            message.add_name(Choice::Crossings(Crossings::Split).into());
+            message.add_text(format_args!(" facets without an area are left out"));
+        }
         Crossings::Refuse if is_split => {
             message.add_text(format_args!("; with "));
             message.add_name(Choice::Crossings(Crossings::Split).into());
             message.add_text(format_args!(" they are split there"));
         }
         Crossings::Split if is_split => message.add_text(format_args!(
-            "; some still meet after they were split: they overlap, or doubles have no room there"
+            "; some still meet after they were split: doubles have no room there"
         )),
         _ => {}
     }

@@ -1,7 +1,7 @@
 //! The boundary of the box or of the convex hull of the inputs, as triangles of plane sides.
 
 use super::hull::{Hull, Role, convex_hull, corners_of_simplex};
-use super::merge::merged;
+use super::merge::{Surface, merged};
 use super::pieces::{Piece, Pieces};
 use super::polygon::INTERIOR;
 use super::sides::Sides;
@@ -83,9 +83,11 @@ impl Frame {
         let Hull { triangles, outside } = hull;
         let firsts = match roles {
             Some(_) => {
-                let (markers, origins) =
-                    (filled(triangles.len(), 0)?, collected(0..triangles.len() as u32)?);
-                merged(points, &triangles, &markers, &origins, 0.0, poll)?
+                let kinds = filled(triangles.len(), 0)?;
+                let origins = collected(0..triangles.len() as u32)?;
+                let (kinds, origins) = (&kinds, &origins);
+                let surface = Surface { triangles: &triangles, kinds, origins, pairs: None };
+                merged(points, &surface, 0.0, poll)?
             }
             None => exactly_plane(points, &triangles)?,
         };

@@ -49,11 +49,24 @@ pub(super) fn each_meeting(
     poll: Poll<'_>,
     mut visit: impl FnMut([u32; 2], &Meeting) -> AllocResult<()>,
 ) -> Result<()> {
-    let all = &pieces.all;
     let bounds = |piece: &Piece| -> Bounds {
         bounds_of(piece.vertices().iter().map(|&vertex| &points[vertex as usize]))
     };
-    let boxes = collected(all.iter().map(bounds))?;
+    each_pair(&collected(pieces.all.iter().map(bounds))?, pieces, poll, |pair| {
+        let own = pair.map(|piece| pieces.all[piece as usize].vertices());
+        meet(points, own[0], own[1]).map_or(Ok(()), |meeting| visit(pair, &meeting))
+    })
+}
+
+/// Calls `visit` with all pairs of pieces of two facets or segments, or of the edges of one facet,
+/// whose boxes meet. O((n + k) log n), as for [`all`].
+pub(super) fn each_pair(
+    boxes: &[Bounds],
+    pieces: &Pieces,
+    poll: Poll<'_>,
+    mut visit: impl FnMut([u32; 2]) -> AllocResult<()>,
+) -> Result<()> {
+    let all = &pieces.all;
     let mut work = 0;
     let visit = |pair: [u32; 2], poll: Poll<'_>| {
         work += WORK;
@@ -62,17 +75,14 @@ pub(super) fn each_meeting(
         }
         let [a, b] = pair.map(|piece| &all[piece as usize]);
         let are_lines = a.triangle().is_none() && b.triangle().is_none();
-        if a.feature == b.feature && !are_lines {
-            return Ok(());
-        }
-        match meet(points, a.vertices(), b.vertices()) {
-            Some(meeting) => Ok(visit(pair, &meeting)?),
-            None => Ok(()),
+        match a.feature == b.feature && !are_lines {
+            true => Ok(()),
+            false => Ok(visit(pair)?),
         }
     };
     match boxes.is_empty() {
         true => Ok(()),
-        false => BoxTree::new(&boxes)?.each_pair(poll, visit),
+        false => BoxTree::new(boxes)?.each_pair(poll, visit),
     }
 }
 

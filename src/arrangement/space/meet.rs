@@ -66,6 +66,11 @@ impl Meeting {
         }
     }
 
+    /// Returns true if two triangles share an area, so that they are in one plane.
+    pub fn is_area(&self) -> bool {
+        self.are_triangles && self.count > 2
+    }
+
     /// Returns a point that both share, but for roundings: the middle of two corners.
     pub fn point(&self, points: &[[f64; 3]], one: &[u32], other: &[u32]) -> [f64; 3] {
         let corner = |at: usize| corner(points, [one, other], self.corners[at]);

@@ -8,8 +8,10 @@
 //!   meet, and [`intersections`] collects all that must not; [`crossed`] does that for the edges of
 //!   one polygon. [`faults`] has the words for what is refused.
 //! - [`isolated`] finds inputs on facets and segments that these do not have.
-//! - [`merge`] makes one facet of triangles that [`bends`] shows to be in one plane; [`lines`]
-//!   has the edges at which facets end.
+//! - [`split`] makes vertices and edges of crossings, and leaves areas that facets share to the
+//!   first of them; [`duplicates`] has triangles that are there several times.
+//! - [`merge`] makes one facet of triangles that [`bends`] shows to be in one plane; [`facets`]
+//!   puts these and polygons into the arrangement, and [`lines`] the edges at which they end.
 //! - [`closed`] tells whether facets are closed surfaces, and whether they enclose something;
 //!   [`sides`] has what meets at an edge.
 //! - [`frame`] has the sides of a box or, by [`hull`], of the convex hull of the inputs; [`fit`]
@@ -20,6 +22,7 @@ mod boxes;
 mod closed;
 mod crossed;
 mod duplicates;
+mod facets;
 mod faults;
 #[cfg(test)]
 mod file_tests;
@@ -54,17 +57,14 @@ pub use odd_edges::find_odd_edges;
 
 use super::poll::Poll;
 use crate::error::Result;
-use crate::memory::{AllocResult, Lists, TryGrow, collected, copied, filled, with_capacity};
-use crate::mesh::{
-    ArrangedFacet, Arrangement, FacetTriangle, Facets, Feature, Inputs, Intersection, NONE, Region,
-    Segments,
-};
+use crate::memory::{AllocResult, TryGrow, collected, copied, with_capacity};
+use crate::mesh::{Arrangement, Facets, Feature, Inputs, Intersection, Region, Segments};
 use crate::numerics::coordinates;
 use crate::options::{Crossings, Extent};
+use facets::{add_frame, add_polygons, add_surface};
 use faults::{no_hull_of_crossings, not_plane, refused};
-use fit::Fitted;
 use isolated::Isolated;
-use pieces::{Piece, Pieces};
+use pieces::Pieces;
 
 /// Facets and segments in space to arrange, and the extent whose boundary they are in.
 #[derive(Clone, Copy)]
@@ -113,8 +113,8 @@ pub fn arrange_in_space(task: &TaskInSpace<'_>, poll: Poll<'_>) -> Result<Arrang
         isolated.offsets().for_each(|offset| arrangement.note_offset(offset));
     }
     match facets.are_triangles {
-        true => add_surface(&points, task, &pieces.all, &mut arrangement, poll)?,
-        false => add_polygons(facets, &pieces.all, &mut arrangement)?,
+        true => add_surface(&points, task, &mut pieces, &mut arrangement, poll)?,
+        false => add_polygons(&pieces.all, &mut arrangement)?,
     }
     if let Some(fitted) = fit::fitted(&mut points, task.extent, &pieces, poll)? {
         add_frame(&fitted, &mut arrangement)?;
@@ -177,76 +177,4 @@ pub fn find_intersections(
 fn points_of(inputs: &Inputs) -> AllocResult<Vec<[f64; 3]>> {
     let vertices = (0..inputs.distinct()).map(|vertex| inputs.distinct_point(vertex));
     collected(vertices.map(|point| *coordinates::<3>(point, 0)))
-}
-
-/// Fills an arrangement with the facets of a surface: its triangles, merged where they are plane.
-fn add_surface(
-    points: &[[f64; 3]],
-    task: &TaskInSpace<'_>,
-    pieces: &[Piece],
-    arrangement: &mut Arrangement,
-    poll: Poll<'_>,
-) -> Result<()> {
-    let triangles = collected(pieces.iter().filter_map(Piece::triangle))?;
-    let own = pieces.iter().filter(|piece| piece.triangle().is_some());
-    let of = collected(own.filter_map(Piece::facet))?;
-    let balances = duplicates::balances(task)?;
-    let balance = |facet: u32| balances[facet as usize].unwrap_or(1);
-    let kind = |&facet: &u32| (task.facets.markers[facet as usize], balance(facet));
-    let kinds = numbered(of.iter().map(kind))?;
-    let firsts = merge::merged(points, &triangles, &kinds, &of, task.coplanar, poll)?;
-    let mut numbers = filled(triangles.len(), NONE)?;
-    for (triangle, &first) in firsts.iter().enumerate().filter(|&(at, &first)| at == first as usize)
-    {
-        numbers[triangle] = arrangement.facets.len() as u32;
-        let parent = of[first as usize];
-        arrangement.facets.try_push(ArrangedFacet { parent, balance: balance(parent) })?;
-    }
-    let numbered = || firsts.iter().map(|&first| numbers[first as usize]).zip(0u32..);
-    let of_facets = Lists::of_pairs(arrangement.facets.len(), numbered)?;
-    arrangement.triangles = with_capacity(triangles.len())?;
-    for (facet, own) in (0u32..).zip(of_facets.iter()) {
-        let made = own.iter().map(|&at| FacetTriangle { vertices: triangles[at as usize], facet });
-        arrangement.triangles.extend(made);
-    }
-    Ok(())
-}
-
-/// Returns the place of each value among those that differ.
-fn numbered<T: Copy + Ord>(values: impl Iterator<Item = T> + Clone) -> AllocResult<Vec<u32>> {
-    let mut all = collected(values.clone())?;
-    all.sort_unstable();
-    all.dedup();
-    collected(values.map(|value| all.partition_point(|other| *other < value) as u32))
-}
-
-/// Adds the sides of a box or hull, which are facets of none of the caller's.
-fn add_frame(fitted: &Fitted, arrangement: &mut Arrangement) -> AllocResult<()> {
-    fitted.offsets.iter().for_each(|&offset| arrangement.note_offset(offset));
-    for own in fitted.triangles.chunk_by(|a, b| a.facet == b.facet) {
-        let facet = arrangement.facets.len() as u32;
-        arrangement.facets.try_push(ArrangedFacet { parent: NONE, balance: 1 })?;
-        let made = own.iter().map(|triangle| FacetTriangle { facet, ..*triangle });
-        arrangement.triangles.try_extend(&collected(made)?)?;
-    }
-    Ok(())
-}
-
-/// Fills an arrangement with polygon facets.
-fn add_polygons(
-    facets: &Facets,
-    pieces: &[Piece],
-    arrangement: &mut Arrangement,
-) -> AllocResult<()> {
-    arrangement.facets = with_capacity(facets.count())?;
-    for piece in pieces {
-        let (Some(parent), Some(vertices)) = (piece.facet(), piece.triangle()) else { continue };
-        // Those without an area, if crossings are split, have no triangles.
-        if arrangement.facets.last().is_none_or(|last| last.parent != parent) {
-            arrangement.facets.try_push(ArrangedFacet { parent, balance: 1 })?;
-        }
-        let facet = arrangement.facets.len() as u32 - 1;
-        arrangement.triangles.try_push(FacetTriangle { vertices, facet })?;
-    }
-    Ok(())
 }

@@ -11,7 +11,7 @@ use super::polygon::{INTERIOR, Polygon, PolygonEdge, Tiling};
 use super::projection::Projection;
 use crate::arrangement::poll::Poll;
 use crate::error::Result;
-use crate::memory::{AllocResult, TryGrow, collected, with_capacity};
+use crate::memory::{AllocResult, TryGrow, collected, copied, with_capacity};
 use crate::mesh::{Facets, Feature, Inputs, Intersection, IntersectionKind, Segments};
 
 /// Triangle or segment between vertices, a part of a feature.
@@ -22,6 +22,8 @@ pub(super) struct Piece {
     /// Bit f is set if face f of the piece is in the interior of the feature.
     pub inner: u8,
     pub feature: Feature,
+    /// Step of the winding number from the front of a triangle to its back.
+    pub balance: i64,
 }
 
 /// Facets and segments, and what is wrong with single ones.
@@ -30,6 +32,12 @@ pub(super) struct Pieces {
     /// Pieces of facets in the order of these, then the segments. Of a facet that meets itself
     /// these are its edges.
     pub all: Vec<Piece>,
+    /// Triangles on those of earlier facets, which have their balances. They are not among the
+    /// others.
+    pub borrowed: Vec<Piece>,
+    /// Triangle of a surface -> by how much the winding number grows behind it; `None` for those of
+    /// which an earlier one has the vertices.
+    pub balances: Vec<Option<i64>>,
     /// Edges of polygons, in these or outside of them, that bound no facet.
     pub lines: Vec<[u32; 2]>,
     /// Facets that meet themselves, or have no area.
@@ -71,11 +79,12 @@ impl Piece {
     }
 
     pub fn of_triangle(vertices: [u32; 3], inner: u8, feature: Feature) -> Self {
-        Self { vertices, count: 3, inner, feature }
+        Self { vertices, count: 3, inner, feature, balance: 1 }
     }
 
     fn of_segment([from, to]: [u32; 2], feature: Feature) -> Self {
-        Self { vertices: [from, to, to], count: 2, inner: INTERIOR_OF_SEGMENT, feature }
+        let (vertices, inner) = ([from, to, to], INTERIOR_OF_SEGMENT);
+        Self { vertices, count: 2, inner, feature, balance: 1 }
     }
 }
 
@@ -148,7 +157,8 @@ struct Maker<'a> {
 impl Maker<'_> {
     fn add_triangles(&mut self, task: &TaskInSpace<'_>, poll: Poll<'_>) -> Result<()> {
         let TaskInSpace { inputs, facets, .. } = *task;
-        let balances = balances(task)?;
+        self.pieces.balances = balances(task)?;
+        let balances = copied(&self.pieces.balances)?;
         let is_kept = |facet: &u32| balances[*facet as usize].is_some();
         let vertex = |input: u32| inputs.vertices()[input as usize];
         self.pieces.all = with_capacity(facets.count())?;
@@ -165,6 +175,9 @@ impl Maker<'_> {
             } else {
                 self.pieces.all.try_push(Piece::of_triangle(vertices, INTERIOR, feature))?;
             }
+        }
+        for piece in &mut self.pieces.all {
+            piece.balance = piece.facet().and_then(|own| balances[own as usize]).unwrap_or(1);
         }
         Ok(())
     }

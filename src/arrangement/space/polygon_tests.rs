@@ -3,6 +3,7 @@
 use super::tests::{CUBE, Case, facet, pairs, quads};
 use super::*;
 use crate::mesh::IntersectionKind::{Cross, Overlap, Touch, ZeroArea};
+use crate::mesh::{FacetTriangle, NONE};
 use crate::numerics::testing::Random;
 
 #[test]

@@ -4,6 +4,7 @@ use super::oracle;
 use super::*;
 use crate::error::ErrorKind;
 use crate::mesh::IntersectionKind::{self, Cross, ZeroArea};
+use crate::mesh::NONE;
 use crate::numerics::testing::Random;
 use crate::options::Interior;
 

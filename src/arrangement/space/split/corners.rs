@@ -2,11 +2,13 @@
 
 use super::super::boxes::bounds_of;
 use super::super::crossed::{each_meeting_of_edges, images, point_of_edge, vertices_on_edges};
-use super::super::intersections::each_meeting;
-use super::super::meet::{Face, corner};
-use super::super::pieces::{Pieces, Untiled};
+use super::super::intersections::each_pair;
+use super::super::meet::{Face, corner, meet};
+use super::super::pieces::{Piece, Pieces, Untiled};
 use super::super::plane::units_of;
+use super::areas::Areas;
 use super::candidates::Candidate;
+use super::coplanar::{Coplanar, Edges, wide_bounds};
 use super::owners::Owners;
 use crate::arrangement::poll::Poll;
 use crate::arrangement::reach::Reach;
@@ -20,6 +22,7 @@ use std::array::from_fn;
 pub(super) struct Corners {
     pub all: Vec<Corner>,
     pub candidates: Vec<Candidate>,
+    pub areas: Areas,
 }
 
 /// Corner of what two pieces share.
@@ -51,13 +54,33 @@ impl Corners {
         points: &[[f64; 3]],
         pieces: &Pieces,
         owners: &Owners,
+        coplanar: &Coplanar,
         poll: Poll<'_>,
     ) -> Result<Self> {
         let mut found = Self::default();
         let mut pairs = 0;
-        each_meeting(points, pieces, poll, |both, meeting| {
-            for &faces in meeting.corners() {
-                found.add(points, pieces, owners, (pairs, both), faces)?;
+        let (images, edges) = (coplanar.images(points)?, coplanar.edges(pieces)?);
+        each_pair(&wide_bounds(points, pieces)?, pieces, poll, |both| {
+            let own = both.map(|piece| &pieces.all[piece as usize]);
+            if let Some(images) = coplanar.seen_in(&images, own) {
+                return found.add_area([points, images], pieces, owners, both);
+            }
+            let vertices = own.map(Piece::vertices);
+            let Some(meeting) = meet(points, vertices[0], vertices[1]) else { return Ok(()) };
+            let is_crossing = |faces: &&[Face; 2]| {
+                !is_in_plane(&edges, coplanar, owners, own, **faces)
+                    && !is_in_plane(
+                        &edges,
+                        coplanar,
+                        owners,
+                        [own[1], own[0]],
+                        [faces[1], faces[0]],
+                    )
+            };
+            for &faces in meeting.corners().iter().filter(is_crossing) {
+                let place = || corner_of(points, vertices, faces);
+                let vertex = found.vertex_at(points, owners, vertices, faces, place)?;
+                found.all.try_push(Corner { pair: pairs, pieces: both, faces, vertex })?;
             }
             pairs += 1;
             Ok(())
@@ -68,29 +91,30 @@ impl Corners {
         Ok(found)
     }
 
-    fn add(
+    /// Returns the vertex at a corner of what two pieces share. A new one is at the `place`.
+    pub(super) fn vertex_at(
         &mut self,
         points: &[[f64; 3]],
-        pieces: &Pieces,
         owners: &Owners,
-        (pair, both): (u32, [u32; 2]),
+        vertices: [&[u32]; 2],
         faces: [Face; 2],
-    ) -> AllocResult<()> {
-        let vertices = both.map(|piece| pieces.all[piece as usize].vertices());
+        place: impl FnOnce() -> [f64; 3],
+    ) -> AllocResult<Vertex> {
         let single = (0..2).find(|&which| faces[which].count_ones() == 1);
-        let vertex = match single {
-            Some(which) => Vertex::Known(vertices[which][faces[which].trailing_zeros() as usize]),
+        match single {
+            Some(which) => {
+                Ok(Vertex::Known(vertices[which][faces[which].trailing_zeros() as usize]))
+            }
             None => {
-                let x = corner_of(points, vertices, faces);
+                let x = place();
                 let units = units(points, vertices.into_iter().flatten().copied());
                 let edges = [0, 1].map(|which: usize| match faces[which].count_ones() {
                     2 => owners.straight(edge_of(vertices[which], faces[which])),
                     _ => [NONE; 2],
                 });
-                self.candidate(Candidate { x, units, edges, facets: None })?
+                self.candidate(Candidate { x, units, edges, facets: None })
             }
-        };
-        self.all.try_push(Corner { pair, pieces: both, faces, vertex })
+        }
     }
 
     fn candidate(&mut self, candidate: Candidate) -> AllocResult<Vertex> {
@@ -140,6 +164,22 @@ impl Corners {
         }
         Ok(())
     }
+}
+
+/// Returns true if a corner is where an edge of the first piece, in the plane of the second one's
+/// facet, meets that apart from its edges: it does so as the facet beside the edge does, and where
+/// it crosses is up to roundings.
+fn is_in_plane(
+    edges: &Edges,
+    coplanar: &Coplanar,
+    owners: &Owners,
+    own: [&Piece; 2],
+    faces: [Face; 2],
+) -> bool {
+    let [edge, face] = [0, 1].map(|which: usize| edge_of(own[which].vertices(), faces[which]));
+    let is_on_edge = faces[1].count_ones() == 1 || faces[1].count_ones() == 2 && owners.has(face);
+    let facet = own[1].facet().filter(|_| faces[0].count_ones() == 2 && !is_on_edge);
+    facet.is_some_and(|facet| coplanar.has_in_plane(edges, edge, facet))
 }
 
 /// Returns the corner of what two pieces share, but for roundings. Where two edges cross it is on

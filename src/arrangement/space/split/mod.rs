@@ -8,12 +8,18 @@
 //! and E. Packer, "Iterated snap rounding", 2002) in space: a corner that rounding explains to be
 //! at a vertex or on an edge is there.
 //!
+//! Facets that share an area get each other's edges there, until their triangles are within each
+//! other or apart; then the first facet has the area, with the balances of all.
+//!
 //! - [`corners`] finds the corners of a round, [`candidates`] the vertices that they become, and
-//!   [`places`] where these are.
+//!   [`places`] where these are; [`areas`] has what facets share that
+//!   [`coplanar`] finds in one plane.
 //! - [`sound`] tells whether roundings left facets and edges what they were.
 //! - [`owners`] tells of which edges the edges of pieces are parts.
 
+mod areas;
 mod candidates;
+mod coplanar;
 mod corners;
 mod owners;
 mod places;
@@ -27,6 +33,8 @@ use super::pieces::Pieces;
 use crate::arrangement::poll::Poll;
 use crate::error::Result;
 use crate::mesh::{Intersection, IntersectionKind};
+use areas::leave_to_first;
+use coplanar::Coplanar;
 use corners::Corners;
 use owners::Owners;
 use sound::is_sound;
@@ -48,20 +56,27 @@ pub(super) fn split(
     pieces: &Pieces,
     poll: Poll<'_>,
 ) -> Result<Option<Pieces>> {
+    let coplanar = Coplanar::find(points, pieces, poll)?;
     let mut on = Isolated::find(points, pieces, false, poll)?;
     let mut most = usize::MAX;
     for _ in 0..MOST_ROUNDS {
-        let pieces = Pieces::new(points, task, &on, poll)?;
+        let mut pieces = Pieces::new(points, task, &on, poll)?;
         let owners = Owners::new(points, task, &on)?;
-        let corners = Corners::find(points, &pieces, &owners, poll)?;
+        let mut corners = Corners::find(points, &pieces, &owners, &coplanar, poll)?;
         let is_whole = pieces.faults.iter().all(has_no_area);
-        if corners.all.is_empty() && is_whole {
-            return Ok(is_sound(points, task, &pieces, &owners, &on)?.then_some(pieces));
+        if corners.all.is_empty() && corners.areas.are_tiled() && is_whole {
+            if !is_sound(points, task, &pieces, &owners, &on)? {
+                return Ok(None);
+            }
+            leave_to_first(points, &mut pieces, &corners.areas.pairs)?;
+            return Ok(Some(pieces));
         }
         if corners.all.len() > most {
             return Ok(None);
         }
-        most = most.min(MOST_AGAIN * corners.all.len());
+        if !corners.all.is_empty() {
+            most = most.min(MOST_AGAIN * corners.all.len());
+        }
         let added = corners.placed(points, task.inputs.distinct(), &pieces, &owners)?;
         if !on.extend(points, &added)? {
             return Ok(None);

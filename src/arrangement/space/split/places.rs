@@ -22,7 +22,7 @@ impl Corners {
     /// them and the lines between them. Of `points` those from `inputs` on are no inputs. Expected
     /// O(n log n), where edges pass between few vertices.
     pub fn placed(
-        &self,
+        &mut self,
         points: &mut Vec<[f64; 3]>,
         inputs: usize,
         pieces: &Pieces,
@@ -35,17 +35,29 @@ impl Corners {
         for pair in self.all.chunk_by(|a, b| a.pair == b.pair) {
             placed.clear();
             for corner in pair {
-                let vertex = match corner.vertex {
-                    Vertex::Known(vertex) => vertex,
-                    Vertex::Candidate(candidate) => vertices[candidate as usize],
-                };
+                let vertex = vertex_of(corner, &vertices);
                 let edges = [placer.place(corner, 0, vertex)?, placer.place(corner, 1, vertex)?];
                 placed.try_push(Placed { vertex, edges })?;
             }
             placer.join(pair[0].pieces, &mut placed)?;
         }
+        for corner in &self.areas.corners {
+            let vertex = vertex_of(corner, &vertices);
+            placer.place(corner, 0, vertex)?;
+            placer.place(corner, 1, vertex)?;
+        }
+        for line in self.areas.lines() {
+            placer.added.lines.try_push(line)?;
+        }
         placer.place_near(inputs)?;
         Ok(placer.added)
+    }
+}
+
+fn vertex_of(corner: &Corner, vertices: &[u32]) -> u32 {
+    match corner.vertex {
+        Vertex::Known(vertex) => vertex,
+        Vertex::Candidate(candidate) => vertices[candidate as usize],
     }
 }
 

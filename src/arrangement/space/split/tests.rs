@@ -2,7 +2,7 @@
 
 use super::super::tests::Case;
 use crate::error::Result;
-use crate::mesh::{Arrangement, Intersection, IntersectionKind};
+use crate::mesh::{ArrangedFacet, Arrangement, FacetTriangle, Intersection, IntersectionKind};
 use crate::numerics::coordinates;
 use crate::numerics::testing::Random;
 use crate::options::Crossings;
@@ -202,4 +202,72 @@ fn sheaves_are_split() {
         let case = Case::surface(&points, &triangles);
         check(&case, &split(&case).unwrap_or_else(|error| panic!("{trial}: {}", error.message())));
     }
+}
+
+/// Draws triangles with whole coordinates in one plane.
+fn layers(count: usize, random: &mut Random) -> Case {
+    let mut points: Vec<Point> = Vec::new();
+    while points.len() < 3 * count {
+        let corner = |random: &mut Random| {
+            let [x, y] = [0; 2].map(|_: i32| random.integer(0, 8) as f64);
+            [x, y, 2.0 * x - y]
+        };
+        let own = [corner(random), corner(random), corner(random)];
+        points.extend(own);
+        if normal(&own, [0, 1, 2])[2] == 0.0 {
+            points.truncate(points.len() - 3);
+        }
+    }
+    let triangle = |at: u32| [3 * at, 3 * at + 1, 3 * at + 2];
+    Case::surface(&points, &(0..count as u32).map(triangle).collect::<Vec<_>>())
+}
+
+/// Returns 1 or -1 if the image of a triangle holds a point, by its direction; otherwise 0.
+fn layer_at(points: &[Point], [a, b, c]: [u32; 3], x: [f64; 2]) -> i64 {
+    let [a, b, c] = [a, b, c].map(|vertex| points[vertex as usize]);
+    let turn = |p: Point, q: Point| (q[0] - p[0]) * (x[1] - p[1]) - (q[1] - p[1]) * (x[0] - p[0]);
+    match [turn(a, b), turn(b, c), turn(c, a)] {
+        all if all.iter().all(|&turn| turn > 0.0) => 1,
+        all if all.iter().all(|&turn| turn < 0.0) => -1,
+        _ => 0,
+    }
+}
+
+/// Holds that of triangles on each other one is left everywhere, of the first that is there, with
+/// the sum of their directions.
+#[test]
+fn layers_are_left_to_the_first() {
+    let mut random = Random(12);
+    let mut shared = 0;
+    for trial in 0..200 {
+        let case = layers(2 + trial % 7, &mut random);
+        let made = split(&case).unwrap_or_else(|error| panic!("{trial}: {}", error.message()));
+        assert_eq!(Case::surface(&made.points, &made.triangles).intersections(), [], "{trial}");
+        let given: Vec<[u32; 3]> = case
+            .facets
+            .inputs
+            .chunks(3)
+            .map(|own| [0, 1, 2].map(|k: usize| case.inputs.vertices()[own[k] as usize]))
+            .collect();
+        for _ in 0..100 {
+            let x = [8.0 * random.unit(), 8.0 * random.unit()];
+            let before: Vec<i64> =
+                given.iter().map(|&own| layer_at(&made.points, own, x)).collect();
+            let there = |own: &(&[u32; 3], &ArrangedFacet)| layer_at(&made.points, *own.0, x) != 0;
+            let facet = |one: &FacetTriangle| &made.arrangement.facets[one.facet as usize];
+            let facets = made.arrangement.triangles.iter().map(facet);
+            let found: Vec<_> = made.triangles.iter().zip(facets).filter(there).collect();
+            let Some(first) = before.iter().position(|&turn| turn != 0) else {
+                assert!(found.is_empty(), "{trial} {x:?}");
+                continue;
+            };
+            let [(triangle, facet)] = found[..] else { panic!("{trial} {x:?} {found:?}") };
+            let turn = layer_at(&made.points, *triangle, x);
+            assert_eq!(turn, before[first], "{trial} {x:?}");
+            assert_eq!(turn * facet.balance, before.iter().sum::<i64>(), "{trial} {x:?}");
+            assert!(facet.parent <= first as u32, "{trial} {x:?}");
+            shared += usize::from(before.iter().filter(|&&turn| turn != 0).count() > 1);
+        }
+    }
+    assert!(shared > 400, "{shared}");
 }

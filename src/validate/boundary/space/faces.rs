@@ -128,7 +128,7 @@ fn sorted(mut vertices: [u32; 3]) -> [u32; 3] {
 }
 
 /// Returns true if two triangles with the same vertices have one orientation.
-fn is_rotated([a, b, c]: [u32; 3], other: [u32; 3]) -> bool {
+pub(super) fn is_rotated([a, b, c]: [u32; 3], other: [u32; 3]) -> bool {
     [[a, b, c], [b, c, a], [c, a, b]].contains(&other)
 }
 

@@ -8,14 +8,11 @@ use super::super::sum::Sum;
 use super::directions::{across, cosine, direction};
 use super::given::{Facet, Projection, point};
 use super::plane::AreaVector;
-use super::tiling;
 use super::ways::Ways;
 use crate::error::message;
 use crate::memory::{AllocResult, Sets, TryGrow, collected, filled, with_capacity};
 use crate::mesh::{Facets, Inputs, NONE};
-use crate::options::Crossings;
 use crate::quality::length::Length;
-use crate::quality::view::View;
 use crate::validate::report::{Findings, Violation, ViolationKind};
 
 /// Largest distance of the opposite vertex from a triangle's plane, relative to its distance from
@@ -25,11 +22,13 @@ const ROUNDED: f64 = 2e-12;
 /// Edge of a triangle: its ends, the lower first, the triangle, and true if that runs from there.
 type Side = ([u32; 2], u32, bool);
 
-/// Checks the facets that the triangles of a surface make.
-pub(super) fn check(
+/// Checks which triangles of a surface are one facet, and calls `visit` with each facet and by how
+/// much the winding number grows behind it.
+pub(super) fn each_facet(
     facets: &Facets,
     ways: &mut Ways<'_>,
     findings: &mut Findings,
+    mut visit: impl FnMut(&Facet, i64, &mut Ways<'_>, &mut Findings) -> AllocResult<()>,
 ) -> AllocResult<()> {
     let Some(triangles) = triangles(ways.inputs, facets)? else {
         findings.check(false, || describe("triangles have inputs that are no vertices"));
@@ -44,9 +43,15 @@ pub(super) fn check(
         let is_line = ways.find(same[0].0)?;
         for (at, &one) in same.iter().enumerate() {
             for &other in &same[at + 1..] {
-                let is_joined = match is_line {
-                    true => is_one_facet(&triangles, [one, other], ways),
-                    false => same.len() == 2,
+                let [first, second] = [one.1, other.1].map(|triangle| triangle as usize);
+                let are_alike = facets.markers[first] == facets.markers[second]
+                    && balances[first] == balances[second];
+                let is_joined = match (is_line, ways.splits_crossings()) {
+                    (true, false) => is_one_facet(&triangles, [one, other], ways),
+                    (true, true) => {
+                        same.len() == 2 && are_alike && is_one_facet(&triangles, [one, other], ways)
+                    }
+                    (false, _) => same.len() == 2,
                 };
                 if is_joined {
                     sets.join(one.1 as usize, other.1 as usize);
@@ -63,7 +68,10 @@ pub(super) fn check(
     members.sort_unstable();
     for group in members.chunk_by(|a, b| a.0 == b.0) {
         match facet(ways.inputs, &triangles, group)? {
-            Some(facet) => tiling::check(&facet, ways, findings)?,
+            Some(facet) => {
+                let balance = balances[facet.parent as usize].unwrap_or(1);
+                visit(&facet, balance, ways, findings)?;
+            }
             None => drop(findings.check(false, || describe("a facet's triangles have no area"))),
         }
     }
@@ -86,21 +94,6 @@ fn triangles(inputs: &Inputs, facets: &Facets) -> AllocResult<Option<Vec<[u32; 3
         triangles.push(triangle);
     }
     Ok((triangles.len() == facets.count()).then_some(triangles))
-}
-
-/// Returns by how much the winding number grows behind each subfacet.
-pub(super) fn steps(inputs: &Inputs, facets: &Facets, view: View<'_, 3>) -> AllocResult<Vec<i64>> {
-    let splits = view.mesh.parameters.crossings == Crossings::Split;
-    let triangles = if facets.are_triangles { triangles(inputs, facets)? } else { None };
-    let balances = match triangles {
-        Some(triangles) => balances_of(inputs, &triangles, splits)?,
-        None => Vec::new(),
-    };
-    let step = |&parent: &u32| match balances.get(parent as usize) {
-        Some(balance) => balance.unwrap_or(0),
-        None => i64::from(parent != NONE),
-    };
-    collected(view.mesh.boundary.subfacet_parents.iter().map(step))
 }
 
 /// Returns for each triangle by how much the winding number grows behind it. If crossings are split
@@ -172,7 +165,7 @@ fn parent_beside(triangles: &[[u32; 3]], (ends, triangle, is_along): Side, ways:
     let page = |apex: &[f64; 3]| across(direction(ways.view.point(a), apex), along);
     let [apex, ..] = from_edge(triangles[triangle as usize], ends);
     let own = page(ways.input(apex));
-    let (mut best, mut parent) = (f64::NEG_INFINITY, NONE);
+    let (mut best, mut parent) = (0.0, NONE);
     for subfacet in ways.faces.beside(ways.view, [a, b]) {
         let [apex, from, to] = from_edge(boundary.subfacets[subfacet as usize], [a, b]);
         let cosine = cosine(&own, &page(ways.view.point(apex)));

@@ -5,8 +5,9 @@
 //! - Level 2, `faces`: subsegments are edges and subfacets faces of the mesh, which is exactly
 //!   Delaunay; `ways`: chains of subsegments lead along segments and along the edges of facets, and
 //!   there are no others; `groups`: which triangles of a surface are one facet; `tiling`: the
-//!   subfacets of a facet tile it in the projection along an axis; `plane`: their vertices are as
-//!   near to its plane as rounding lets them be; `frame`: the boundary of a hull or box.
+//!   subfacets of a facet, which `tiles` finds, tile it in the projection along an axis; `plane`:
+//!   their vertices are as near to its plane as rounding lets them be; `frame`: the boundary of a
+//!   hull or box.
 //! - Level 3: what regions have in common with the plane's, with the volumes of labels; `frame`:
 //!   the volume of a hull, by [`hull`], or box; `flat`: the simplices within facets; `forced`:
 //!   those that small angles excuse.
@@ -24,6 +25,7 @@ mod inside;
 mod plane;
 #[cfg(test)]
 mod tests;
+mod tiles;
 mod tiling;
 mod ways;
 
@@ -31,11 +33,12 @@ pub(super) use arrays::check as check_arrays;
 pub(super) use faces::walls;
 
 use super::{Outline, Promised, areas, interior, regions};
-use crate::memory::AllocResult;
-use crate::mesh::{Facets, Inputs};
+use crate::memory::{AllocResult, collected, filled};
+use crate::mesh::{Facets, Inputs, NONE};
 use crate::quality::view::View;
 use crate::validate::report::Findings;
 use faces::Faces;
+use given::Facet;
 use ways::Ways;
 
 /// Checks level 2 of a mesh in space for which level 1 holds.
@@ -56,31 +59,62 @@ pub(super) fn check_geometry(
         return frame::check(&mut ways, findings);
     };
     ways.check_segments(segments, findings)?;
-    if facets.are_triangles {
-        groups::check(facets, &mut ways, findings)?;
-    } else {
-        check_polygons(inputs, facets, &mut ways, findings)?;
-    }
+    each_facet(facets, &mut ways, findings, |facet, _, ways, findings| {
+        tiling::check(facet, ways, findings)
+    })?;
     frame::check(&mut ways, findings)?;
     ways.check_owners(findings);
     Ok(())
 }
 
-fn check_polygons(
-    inputs: &Inputs,
+/// Calls `visit` with each facet between inputs, and by how much the winding number grows behind
+/// it; checks which triangles are one facet.
+fn each_facet(
     facets: &Facets,
     ways: &mut Ways<'_>,
     findings: &mut Findings,
+    mut visit: impl FnMut(&Facet, i64, &mut Ways<'_>, &mut Findings) -> AllocResult<()>,
 ) -> AllocResult<()> {
+    if facets.are_triangles {
+        return groups::each_facet(facets, ways, findings, visit);
+    }
     for number in 0..facets.count() {
-        match given::polygon(inputs, facets, number)? {
-            Some(facet) => tiling::check(&facet, ways, findings)?,
+        match given::polygon(ways.inputs, facets, number)? {
+            Some(facet) => visit(&facet, 1, ways, findings)?,
             // It has nothing to keep, if crossings are split.
             None if ways.splits_crossings() => {}
             None => drop(findings.check(false, || given::describe_no_area(number))),
         }
     }
     Ok(())
+}
+
+/// Returns by how much the winding number grows behind each subfacet, which is of all facets that
+/// share it.
+fn steps(
+    inputs: &Inputs,
+    facets: &Facets,
+    view: View<'_, 3>,
+    faces: &Faces,
+) -> AllocResult<Vec<i64>> {
+    let boundary = &view.mesh.boundary;
+    let mut ways = Ways::new(inputs, view, faces)?;
+    if !ways.splits_crossings() {
+        return collected(
+            boundary.subfacet_parents.iter().map(|&parent| i64::from(parent != NONE)),
+        );
+    }
+    let mut steps = filled(boundary.subfacets.len(), 0)?;
+    // Level 2 has said what is to say.
+    let mut known = Findings::default();
+    each_facet(facets, &mut ways, &mut known, |facet, balance, ways, known| {
+        let (rim, _) = tiling::expected_rim(facet, ways, known)?;
+        for tile in tiles::tiles(facet, &rim, ways)? {
+            steps[tile.subfacet as usize] += if tile.is_turned { -balance } else { balance };
+        }
+        Ok(())
+    })?;
+    Ok(steps)
 }
 
 /// Checks level 3 of a mesh in space for which level 1 holds.
@@ -99,7 +133,7 @@ pub(super) fn check_regions(
     if !boundary.simplex_regions.is_empty() {
         let steps = match outline {
             Some(Outline { facets, .. }) if interior::is_asked(view) => {
-                Some(groups::steps(inputs, facets, view)?)
+                Some(steps(inputs, facets, view, &faces)?)
             }
             _ => None,
         };

@@ -20,7 +20,7 @@ use super::given::Facet;
 use super::tiling::name_of;
 use super::ways::Ways;
 use crate::error::message;
-use crate::quality::length::{exponent_of, scale};
+use crate::quality::length::{Length, exponent_of, scale};
 use crate::validate::report::{Findings, Violation, ViolationKind};
 use std::cmp::Ordering;
 
@@ -80,12 +80,32 @@ fn add_height(sum: &mut Sum, normal: &[f64; 3], point: &[f64; 3], factor: f64) {
 }
 
 /// The planes between which vertices of a facet are: the height of either, and what rounding adds.
-struct Slab {
+pub(super) struct Slab {
     low: Sum,
     high: Sum,
 }
 
 impl Slab {
+    /// Returns the planes between which all vertices of a facet are.
+    pub fn wide(facet: &Facet, ways: &Ways<'_>) -> Self {
+        let points = facet.corners.iter().map(|&corner| ways.input(corner));
+        let units = units_of(points.clone());
+        let mut slab = Self::of(&facet.normal, points);
+        slab.widen(&facet.normal, &units.map(|unit| BENT * unit));
+        slab
+    }
+
+    /// Returns true if the first of two points is nearer to the lower plane.
+    pub fn is_nearer(&self, normal: &[f64; 3], [x, y]: [&[f64; 3]; 2]) -> bool {
+        let distance = |point: &[f64; 3]| {
+            let mut height = self.low.clone();
+            add_height(&mut height, normal, point, -1.0);
+            let (mantissa, exponent) = height.rounded();
+            Length::scaled(mantissa.abs(), exponent)
+        };
+        distance(x).ratio(distance(y)) < 1.0
+    }
+
     fn of<'a>(normal: &[f64; 3], points: impl Iterator<Item = &'a [f64; 3]> + Clone) -> Self {
         let mut slab = None;
         for point in points {
@@ -111,9 +131,17 @@ impl Slab {
         }
     }
 
-    fn holds(&self, normal: &[f64; 3], point: &[f64; 3]) -> bool {
+    pub fn holds(&self, normal: &[f64; 3], point: &[f64; 3]) -> bool {
         !exceeds(&self.low, normal, point) && !falls_below(&self.high, normal, point)
     }
+}
+
+/// Returns for each axis the unit in the last place of the largest coordinate of points.
+fn units_of<'a>(points: impl Iterator<Item = &'a [f64; 3]> + Clone) -> [f64; 3] {
+    std::array::from_fn(|axis| {
+        let largest = points.clone().fold(0.0, |most: f64, point| most.max(point[axis].abs()));
+        unit_in_last_place(largest)
+    })
 }
 
 /// Checks that the inputs of a side of a hull are in a plane: up to rounding, and up to the bends
@@ -164,16 +192,11 @@ pub(super) fn check(
     findings: &mut Findings,
 ) {
     let points = facet.corners.iter().map(|&corner| ways.input(corner));
-    let mut units = [0.0; 3];
-    for (axis, unit) in units.iter_mut().enumerate() {
-        let largest = points.clone().fold(0.0, |most: f64, point| most.max(point[axis].abs()));
-        *unit = unit_in_last_place(largest);
-    }
+    let units = units_of(points.clone());
     let normal = &facet.normal;
     let mut slab = Slab::of(normal, points);
     slab.widen(normal, &units.map(|unit| ROUNDED * unit));
-    let mut wide = Slab { low: slab.low.clone(), high: slab.high.clone() };
-    wide.widen(normal, &units.map(|unit| (BENT - ROUNDED) * unit));
+    let wide = Slab::wide(facet, ways);
     for vertex in vertices {
         let is_bent = ways.splits_crossings() || ways.is_input(vertex) || ways.is_on_chain(vertex);
         let limit = if is_bent { &wide } else { &slab };

@@ -11,6 +11,7 @@ use super::super::sum::Sum;
 use super::faces::Faces;
 use super::given::Facet;
 use super::plane;
+use super::tiles;
 use super::ways::Ways;
 use crate::error::message;
 use crate::memory::{AllocResult, TryGrow, collected};
@@ -33,7 +34,7 @@ pub(super) fn name_of(facet: u32) -> Cow<'static, str> {
     }
 }
 
-fn directed([a, b]: [u32; 2]) -> Directed {
+pub(super) fn directed([a, b]: [u32; 2]) -> Directed {
     ([a.min(b), a.max(b)], a < b)
 }
 
@@ -44,18 +45,20 @@ pub(super) fn range(view: View<'_, 3>, parent: u32) -> Range<usize> {
         ..parents.partition_point(|&other| other <= parent)
 }
 
-/// Checks the subfacets of a facet: that they tile it, and that they are near its plane.
+/// Checks that the subfacets of a facet, with those that it borrows, tile it, and that they are
+/// near its plane.
 pub(super) fn check(
     facet: &Facet,
     ways: &mut Ways<'_>,
     findings: &mut Findings,
 ) -> AllocResult<()> {
-    let view = ways.view;
-    let subfacets = &view.mesh.boundary.subfacets[range(view, facet.parent)];
-    check_orientations(facet, view, subfacets, findings)?;
+    let (expected, is_whole) = expected_rim(facet, ways, findings)?;
+    let tiles = tiles::tiles(facet, &expected, ways)?;
+    let subfacets = &collected(tiles.iter().map(|tile| tile.vertices))?[..];
+    check_orientations(facet, ways.view, subfacets, findings)?;
     let edges = sorted_edges(subfacets)?;
     let found = rim(facet.parent, &edges, findings)?;
-    if let Some(expected) = expected_rim(facet, ways, findings)? {
+    if is_whole {
         check_rim(facet.parent, &found, &expected, findings);
     }
     check_within(facet, ways, &edges, subfacets, findings)?;
@@ -151,12 +154,13 @@ pub(super) fn rim(
     Ok(rim)
 }
 
-/// Returns the subsegments along the rim of a facet, in its direction; `None` if some are missing.
-fn expected_rim(
+/// Returns the subsegments along the rim of a facet, in its direction, sorted; and true if none are
+/// missing.
+pub(super) fn expected_rim(
     facet: &Facet,
     ways: &mut Ways<'_>,
     findings: &mut Findings,
-) -> AllocResult<Option<Vec<Directed>>> {
+) -> AllocResult<(Vec<Directed>, bool)> {
     let (mut pieces, mut is_whole) = (Vec::new(), true);
     for &ends in &facet.rim {
         if !ways.check_edge(facet.parent, ends, findings)? {
@@ -176,7 +180,7 @@ fn expected_rim(
             rim.try_push((same[0].0, 2 * forward > same.len()))?;
         }
     }
-    Ok(is_whole.then_some(rim))
+    Ok((rim, is_whole))
 }
 
 fn check_rim(facet: u32, found: &[Directed], expected: &[Directed], findings: &mut Findings) {

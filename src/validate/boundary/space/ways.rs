@@ -27,6 +27,8 @@ pub(super) struct Ways<'a> {
     owners: Vec<u32>,
     /// Vertex -> true if it is an end of a subsegment.
     is_on_chain: Vec<bool>,
+    /// Subfacet -> the facet that was last found to have it, or [`NONE`].
+    pub tile_of: Vec<u32>,
 }
 
 impl<'a> Ways<'a> {
@@ -37,7 +39,8 @@ impl<'a> Ways<'a> {
         let mut is_on_chain = filled(view.mesh.vertex_count(), false)?;
         let ends = view.mesh.boundary.subsegments.iter().flatten();
         ends.for_each(|&vertex| is_on_chain[vertex as usize] = true);
-        Ok(Self { view, faces, inputs, chains, path: Vec::new(), is_covered, owners, is_on_chain })
+        let (tile_of, path) = (filled(view.mesh.boundary.subfacets.len(), NONE)?, Vec::new());
+        Ok(Self { view, faces, inputs, chains, path, is_covered, owners, is_on_chain, tile_of })
     }
 
     /// Returns true if a vertex is on a segment, or on an edge of a facet.

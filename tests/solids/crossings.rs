@@ -147,6 +147,20 @@ fn turned(points: &[Point]) -> Vec<Point> {
     points.iter().map(turn).collect()
 }
 
+/// Holds that an edge may lie on the line of another of its facet.
+#[test]
+fn corners_on_the_line_of_an_edge_are_not_beside_it() {
+    let [x, y, z] = [|x: f64| [x, 0.0, 0.0], |y: f64| [0.0, y, 0.0], |z: f64| [1.5, 0.25, z]];
+    let mut points = vec![x(0.0), x(1.0), [1.0, 1.0, 0.0], [2.0, 1.0, 0.0], x(2.0), x(3.0)];
+    points.extend([[3.0, 2.0, 0.0], y(2.0), z(-1.0), [0.5, 0.0, 1.0], [0.5, -1.0, 0.0]]);
+    points.extend([[2.5, 0.0, 1.0], [2.5, 0.0, -1.0], [2.5, 1.0, 0.0]]);
+    let mut mesh = Mesh::new(3, points.len(), points.as_flattened(), 0).unwrap();
+    let inputs = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13];
+    mesh.set_facets(&[0, 1, 2, 3], &[0, 8, 11, 14], &inputs, None).unwrap();
+    mesh.run(&split(Extent::All, f64::INFINITY), None).unwrap();
+    assert_holds(&mesh);
+}
+
 /// Returns the area of the subfacets with simplices on both sides.
 fn area_of_walls(made: &Triangulation) -> f64 {
     let boundary = &made.boundary;

@@ -20,7 +20,8 @@ const MOST_OFF: f64 = 2.5;
 const MOST_BENT: f64 = 15.0;
 
 /// Returns true if no edge and no facet goes through vertices farther from it than segments may
-/// be bent, and if the triangles of each facet end at its edges. O(n log n).
+/// be bent, and if the triangles of each facet end at its edges. O(n log n) for facets of few
+/// corners.
 pub(super) fn is_sound(
     points: &[[f64; 3]],
     task: &TaskInSpace<'_>,
@@ -38,7 +39,8 @@ pub(super) fn is_sound(
     }
     for own in pieces.all.chunk_by(|a, b| a.feature == b.feature) {
         if let Feature::Facet(facet) = own[0].feature {
-            let is_whole = own.iter().all(|piece| piece.triangle().is_some())
+            let is_whole = is_wider_than_bends(points, task, on, facet)
+                && own.iter().all(|piece| piece.triangle().is_some())
                 && is_flat(points, task, facet, own)
                 && ends_at_its_edges(task, on, facet, own)?;
             if !is_whole {
@@ -47,6 +49,39 @@ pub(super) fn is_sound(
         }
     }
     Ok(true)
+}
+
+/// Returns true if no corner of a facet is as near to another of its edges as that may be bent: led
+/// through vertices, such an edge is not to be told from one that begins at the corner.
+fn is_wider_than_bends(
+    points: &[[f64; 3]],
+    task: &TaskInSpace<'_>,
+    on: &Isolated,
+    facet: u32,
+) -> bool {
+    let vertex = |&input: &u32| task.inputs.vertices()[input as usize];
+    let corners = task.facets.loops(facet as usize).flatten().map(vertex);
+    task.facets.loops(facet as usize).all(|own| {
+        (0..own.len()).all(|at| {
+            let edge = [at, (at + 1) % own.len()].map(|at| vertex(&own[at]));
+            let mut chain = on.chain(edge);
+            if edge[0] == edge[1] || chain.nth(1).is_none() {
+                return true;
+            }
+            let ends = edge.map(|end| &points[end as usize]);
+            let (reach, units) = (Reach::of(ends), units_of(ends.into_iter()));
+            let is_beside = |x: &[f64; 3]| {
+                let is_at =
+                    |end: &&[f64; 3]| (0..3).all(|k| (x[k] - end[k]).abs() <= MOST_BENT * units[k]);
+                (reach.is_between(x) || ends.iter().any(is_at))
+                    && reach.offset_from_segment(x) <= MOST_BENT
+            };
+            corners.clone().all(|corner| {
+                let is_on = || on.chain(edge).any(|part| part.contains(&corner));
+                !is_beside(&points[corner as usize]) || is_on()
+            })
+        })
+    })
 }
 
 /// Returns true if the vertices of a facet's triangles are near its plane.

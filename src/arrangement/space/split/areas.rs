@@ -1,11 +1,10 @@
 //! Facets that share an area. Each gets the edges and vertices of the other there, so that a
 //! triangle of one is within the other or beside it; then the area is left to the first facet.
 
-use super::super::crossed::point_over;
-use super::super::meet::{Face, corner, meet};
+use super::super::meet::{Face, crossing, meet};
 use super::super::pieces::{Piece, Pieces};
 use super::super::projection::Projection;
-use super::corners::{Corner, Corners, edge_of};
+use super::corners::{Corner, Corners, edge_of, nearer_to_both};
 use super::owners::Owners;
 use crate::memory::{AllocResult, TryGrow, collected, filled};
 
@@ -66,9 +65,10 @@ impl Corners {
         };
         for &faces in meeting.corners().iter().filter(|faces| is_real(faces)) {
             let place = || {
-                let ends = edge_of(vertices[0], faces[0]);
-                let [at, seen] = [points, images].map(|all| ends.map(|end| &all[end as usize]));
-                point_over(at, seen, &corner(images, vertices, faces))
+                let edges = [0, 1].map(|which: usize| edge_of(vertices[which], faces[which]));
+                let first = crossing(points, images, edges);
+                let turned = [edges[1], edges[0]];
+                nearer_to_both(points, edges, first, || crossing(points, images, turned))
             };
             let vertex = self.vertex_at(points, owners, vertices, faces, place)?;
             self.areas.corners.try_push(Corner { pair, pieces: both, faces, vertex })?;

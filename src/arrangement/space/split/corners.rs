@@ -189,12 +189,27 @@ fn corner_of(points: &[[f64; 3]], vertices: [&[u32]; 2], faces: [Face; 2]) -> [f
     if faces.iter().any(|face| face.count_ones() != 2) {
         return first;
     }
-    let reaches = [0, 1].map(|which: usize| {
-        Reach::of(edge_of(vertices[which], faces[which]).map(|end| &points[end as usize]))
-    });
+    let second = || corner(points, [vertices[1], vertices[0]], [faces[1], faces[0]]);
+    let edges = [0, 1].map(|which: usize| edge_of(vertices[which], faces[which]));
+    nearer_to_both(points, edges, first, second)
+}
+
+/// Returns the first of two places of a crossing of two edges, each computed on one of them, or the
+/// second if that alone is as near to both as rounding explains: it is on the edge that has the
+/// finer units.
+pub(super) fn nearer_to_both(
+    points: &[[f64; 3]],
+    edges: [[u32; 2]; 2],
+    first: [f64; 3],
+    second: impl FnOnce() -> [f64; 3],
+) -> [f64; 3] {
+    let reaches = edges.map(|edge| Reach::of(edge.map(|end| &points[end as usize])));
     let is_on_both = |x: &[f64; 3]| reaches.iter().all(|reach| reach.may_go_through(x));
-    let second = corner(points, [vertices[1], vertices[0]], [faces[1], faces[0]]);
-    if !is_on_both(&first) && is_on_both(&second) { second } else { first }
+    if is_on_both(&first) {
+        return first;
+    }
+    let second = second();
+    if is_on_both(&second) { second } else { first }
 }
 
 /// Returns the units in the last place of the largest coordinates of vertices; zeros if these are

@@ -42,6 +42,14 @@ fn size(x: Point) -> f64 {
     x.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
+/// Returns the vertices of the caller's triangles.
+fn given(case: &Case) -> Vec<[u32; 3]> {
+    let corners = case.facets.inputs.chunks(3);
+    corners
+        .map(|own| [own[0], own[1], own[2]].map(|at| case.inputs.vertices()[at as usize]))
+        .collect()
+}
+
 /// Checks that nothing meets any more but in what it has in common, that the triangles cover what
 /// the caller's did, and that vertices are on the planes of their facets up to roundings.
 fn check(case: &Case, made: &Made) {
@@ -51,12 +59,7 @@ fn check(case: &Case, made: &Made) {
     assert_eq!(known.len(), made.points.len());
     let whole = Case::surface(&made.points, &made.triangles);
     assert_eq!(whole.intersections(), []);
-    let given: Vec<[u32; 3]> = case
-        .facets
-        .inputs
-        .chunks(3)
-        .map(|own| [0, 1, 2].map(|k: usize| case.inputs.vertices()[own[k] as usize]))
-        .collect();
+    let given = given(case);
     let area = |triangles: &[[u32; 3]]| -> f64 {
         triangles.iter().map(|&own| size(normal(&made.points, own))).sum()
     };
@@ -243,12 +246,7 @@ fn layers_are_left_to_the_first() {
         let case = layers(2 + trial % 7, &mut random);
         let made = split(&case).unwrap_or_else(|error| panic!("{trial}: {}", error.message()));
         assert_eq!(Case::surface(&made.points, &made.triangles).intersections(), [], "{trial}");
-        let given: Vec<[u32; 3]> = case
-            .facets
-            .inputs
-            .chunks(3)
-            .map(|own| [0, 1, 2].map(|k: usize| case.inputs.vertices()[own[k] as usize]))
-            .collect();
+        let given = given(&case);
         for _ in 0..100 {
             let x = [8.0 * random.unit(), 8.0 * random.unit()];
             let before: Vec<i64> =

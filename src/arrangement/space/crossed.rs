@@ -100,10 +100,18 @@ pub(super) fn point_of_edge(
     edge: [u32; 2],
     place: &[f64; 3],
 ) -> [f64; 3] {
-    let [from, to] = edge.map(|end| &images[end as usize]);
+    let ends = edge.map(|end| &points[polygon.vertices[end as usize] as usize]);
+    point_over(ends, edge.map(|end| &images[end as usize]), place)
+}
+
+/// Returns the point of an edge whose image is a place on it.
+pub(super) fn point_over(
+    ends: [&[f64; 3]; 2],
+    [from, to]: [&[f64; 3]; 2],
+    place: &[f64; 3],
+) -> [f64; 3] {
     let axis = usize::from((to[1] - from[1]).abs() > (to[0] - from[0]).abs());
     let share = (0.5 * place[axis] - 0.5 * from[axis]) / (0.5 * to[axis] - 0.5 * from[axis]);
     let share = if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 };
-    let [from, to] = edge.map(|end| &points[polygon.vertices[end as usize] as usize]);
-    point_between(from, to, share)
+    point_between(ends[0], ends[1], share)
 }

@@ -299,29 +299,18 @@ pub(super) fn corner(points: &[[f64; 3]], both: [&[u32]; 2], faces: [Face; 2]) -
             return divided(p, q, distances);
         }
     }
-    let mut ends = vertices(1 - edge);
+    // Two edges in one plane.
+    let mut ends = vertices(1 - edge).map(|vertex| &points[vertex as usize]);
     let (Some(r), Some(s)) = (ends.next(), ends.next()) else { return *p };
-    let mut own = vertices(edge);
-    let (Some(from), Some(to)) = (own.next(), own.next()) else { return *p };
-    crossing(points, points, [[from, to], [r, s]])
-}
-
-/// Returns the point of an edge at which another crosses it, but for roundings, if both are in one
-/// plane where they are `seen`.
-pub(super) fn crossing(
-    points: &[[f64; 3]],
-    seen: &[[f64; 3]],
-    [one, other]: [[u32; 2]; 2],
-) -> [f64; 3] {
-    let in_plane = |projection: Projection| {
-        let image = |end: u32| projection.image(&seen[end as usize]);
-        let [r, s] = other.map(image);
-        let area =
-            |end: u32| Edges::new(&r, [&s, &image(end)].into_iter()).determinant_of_components();
-        distances(area(one[0]), area(one[1]))
+    let crossing = |projection: Projection| {
+        let [r, s] = [r, s].map(|end| projection.image(end));
+        let area = |x: &[f64; 3]| {
+            let x = projection.image(x);
+            Edges::new(&r, [&s, &x].into_iter()).determinant_of_components()
+        };
+        distances(area(p), area(q))
     };
-    let [p, q] = one.map(|end| &points[end as usize]);
-    let distances = Projection::ALL.into_iter().find_map(in_plane);
+    let distances = Projection::ALL.into_iter().find_map(crossing);
     distances.map_or(*p, |distances| divided(p, q, distances))
 }
 

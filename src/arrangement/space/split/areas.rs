@@ -1,7 +1,8 @@
 //! Facets that share an area. Each gets the edges and vertices of the other there, so that a
 //! triangle of one is within the other or beside it; then the area is left to the first facet.
 
-use super::super::meet::{Face, crossing, meet};
+use super::super::crossed::point_over;
+use super::super::meet::{Face, corner, meet};
 use super::super::pieces::{Piece, Pieces};
 use super::super::projection::Projection;
 use super::corners::{Corner, Corners, edge_of, nearer_to_both};
@@ -66,9 +67,12 @@ impl Corners {
         for &faces in meeting.corners().iter().filter(|faces| is_real(faces)) {
             let place = || {
                 let edges = [0, 1].map(|which: usize| edge_of(vertices[which], faces[which]));
-                let first = crossing(points, images, edges);
-                let turned = [edges[1], edges[0]];
-                nearer_to_both(points, edges, first, || crossing(points, images, turned))
+                let image = corner(images, vertices, faces);
+                let on = |edge: [u32; 2]| {
+                    let [at, seen] = [points, images].map(|all| edge.map(|end| &all[end as usize]));
+                    point_over(at, seen, &image)
+                };
+                nearer_to_both(points, edges, on(edges[0]), || on(edges[1]))
             };
             let vertex = self.vertex_at(points, owners, vertices, faces, place)?;
             self.areas.corners.try_push(Corner { pair, pieces: both, faces, vertex })?;

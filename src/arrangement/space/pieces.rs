@@ -11,7 +11,7 @@ use super::polygon::{INTERIOR, Polygon, PolygonEdge, Tiling};
 use super::projection::Projection;
 use crate::arrangement::poll::Poll;
 use crate::error::Result;
-use crate::memory::{AllocResult, TryGrow, collected, copied, with_capacity};
+use crate::memory::{AllocResult, TryGrow, collected, with_capacity};
 use crate::mesh::{Facets, Feature, Inputs, Intersection, IntersectionKind, Segments};
 
 /// Triangle or segment between vertices, a part of a feature.
@@ -157,8 +157,7 @@ struct Maker<'a> {
 impl Maker<'_> {
     fn add_triangles(&mut self, task: &TaskInSpace<'_>, poll: Poll<'_>) -> Result<()> {
         let TaskInSpace { inputs, facets, .. } = *task;
-        self.pieces.balances = balances(task)?;
-        let balances = copied(&self.pieces.balances)?;
+        let balances = balances(task)?;
         let is_kept = |facet: &u32| balances[*facet as usize].is_some();
         let vertex = |input: u32| inputs.vertices()[input as usize];
         self.pieces.all = with_capacity(facets.count())?;
@@ -179,6 +178,7 @@ impl Maker<'_> {
         for piece in &mut self.pieces.all {
             piece.balance = piece.facet().and_then(|own| balances[own as usize]).unwrap_or(1);
         }
+        self.pieces.balances = balances;
         Ok(())
     }
 

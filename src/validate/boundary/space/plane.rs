@@ -196,7 +196,8 @@ pub(super) fn check(
     let normal = &facet.normal;
     let mut slab = Slab::of(normal, points);
     slab.widen(normal, &units.map(|unit| ROUNDED * unit));
-    let wide = Slab::wide(facet, ways);
+    let mut wide = Slab { low: slab.low.clone(), high: slab.high.clone() };
+    wide.widen(normal, &units.map(|unit| (BENT - ROUNDED) * unit));
     for vertex in vertices {
         let is_bent = ways.splits_crossings() || ways.is_input(vertex) || ways.is_on_chain(vertex);
         let limit = if is_bent { &wide } else { &slab };

@@ -449,6 +449,18 @@ void facets() {
           == std::set<std::uint32_t>({0, 2, 4, 6, 8, 10}));
 }
 
+// A cube without a side gets one.
+void holes() {
+    netmesh::mesh mesh(3, cube);
+    mesh.set_facets({sides.begin(), sides.end() - 1});
+    CHECK_EQUAL(mesh.close_holes(3).open_edges, 4u);
+    const nm_closed_holes closed = mesh.close_holes(4);
+    CHECK(closed.holes == 1 && closed.triangles == 2 && closed.open_edges == 0);
+    mesh.run();
+    CHECK_EQUAL(mesh.facet_parents().back(), 6u);
+    expect_failure(__LINE__, NM_INVALID_ARGUMENT, "max_edges", mesh.try_close_holes(2));
+}
+
 // Facets that cannot be are refused, and those that cross are told.
 void facets_in_need() {
     netmesh::mesh mesh(3, cube);
@@ -494,5 +506,6 @@ int main(int count, char** arguments) {
     results(arguments[1]);
     facets_in_need();
     facets();
+    holes();
     return check::result("cpp_wrapper");
 }

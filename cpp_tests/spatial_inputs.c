@@ -264,8 +264,30 @@ static void crossings_are_told(void) {
     nm_mesh_free(mesh);
 }
 
+/* A box without its lid is closed by two triangles, after those that were given. */
+static void holes_are_closed(void) {
+    static const double points[] = {0, 0, 0, 2, 0, 0, 0, 1, 0, 2, 1, 0, 0, 0, 1, 2, 0, 1, 0, 1, 1, 2, 1, 1};
+    static const uint32_t sides[] = {0, 2, 1, 1, 2, 3, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7,
+                                     0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
+    nm_mesh *mesh = NULL;
+    nm_closed_holes closed = NM_CLOSED_HOLES_INIT;
+    static uint32_t parents[most];
+    uint64_t needed = 0, lids = 0, i;
+    REQUIRE(nm_mesh_create(3, 8, points, 0, &mesh) == NM_OK);
+    REQUIRE(nm_mesh_set_triangles(mesh, 10, sides, NULL) == NM_OK);
+    REQUIRE(nm_mesh_close_holes(mesh, 3, &closed) == NM_OK && closed.holes == 0 && closed.open_edges == 4);
+    REQUIRE(nm_mesh_close_holes(mesh, 4, &closed) == NM_OK && closed.holes == 1 && closed.open_edges == 0);
+    REQUIRE(closed.triangles == 2);
+    REQUIRE(nm_run(mesh, NULL) == NM_OK);
+    REQUIRE(nm_mesh_get_facet_parents(mesh, parents, most, &needed) == NM_OK);
+    for (i = 0; i < needed; ++i) lids += parents[i] == 10;
+    REQUIRE(lids >= 2);
+    nm_mesh_free(mesh);
+}
+
 int main(void) {
     nm_mesh *mesh;
+    holes_are_closed();
     crossings_are_told();
     mesh = boxes();
     regions_are_between_facets(mesh);

@@ -143,14 +143,17 @@
 /** The initial value of an nm_options: the defaults. */
 #define NM_OPTIONS_INIT { sizeof(nm_options), NM_CRITERION_VORONOI_ASPECT, 0, 0, \
       0, NM_GIVES_WAY_ANGLE, NM_EXTENT_AUTO, NM_INTERIOR_AUTO, \
-      NM_CROSSINGS_REFUSE, 0, 0, 0, \
-      0, 0, NM_OUTPUT_AUTO, NM_ALGORITHM_NETMESH, \
-      1, 0, 0, 0, \
-      0, 0, NM_ORDERING_SAMPLED_NET, 0, \
+      NM_CROSSINGS_REFUSE, 0, NM_LABELS_SEEDS, 0, \
       0, 0, 0, 0, \
-      0, 0, 0 }
+      NM_OUTPUT_AUTO, NM_ALGORITHM_NETMESH, 1, 0, \
+      0, 0, 0, 0, \
+      NM_ORDERING_SAMPLED_NET, 0, 0, 0, \
+      0, 0, 0, 0, \
+      0 }
 /** The initial value of an nm_left_out. */
 #define NM_LEFT_OUT_INIT { sizeof(nm_left_out), 0, 0, 0, 0 }
+/** The initial value of an nm_closed_holes. */
+#define NM_CLOSED_HOLES_INIT { sizeof(nm_closed_holes), 0, 0, 0, 0 }
 /** The initial value of an nm_selection: all simplices. */
 #define NM_SELECTION_INIT { sizeof(nm_selection), NM_EXTENT_ALL, 0, NM_NONE }
 /** The initial value of an nm_quality. */
@@ -446,6 +449,31 @@ enum nm_interior
 };
 #ifndef __cplusplus
 typedef int32_t nm_interior;
+#endif // __cplusplus
+
+/**
+ * Labels of the regions that segments, in space facets, separate.
+ */
+enum nm_labels
+#ifdef __cplusplus
+  : int32_t
+#endif // __cplusplus
+ {
+    /**
+     * A region has the label of its seed, without one 0.
+     */
+    NM_LABELS_SEEDS = 0,
+    /**
+     * Regions of the domain without a seed are numbered from 1 on, but for the labels of seeds.
+     * They are in the order of the first facets that they are behind, where normals do not point
+     * to: so each of several shells numbers what it encloses. Those that are behind none come
+     * last, by the first facets that they are before. In the plane segments stand for facets, and
+     * behind is what is on their left. What is outside of all that they enclose has the label 0.
+     */
+    NM_LABELS_REGIONS = 1,
+};
+#ifndef __cplusplus
+typedef int32_t nm_labels;
 #endif // __cplusplus
 
 /**
@@ -1305,6 +1333,15 @@ typedef struct nm_options {
      */
     double coplanar;
     /**
+     * Labels of the regions that segments, in 3D facets, separate (nm_mesh_get_simplex_regions).
+     * Default NM_LABELS_SEEDS.
+     */
+    nm_labels labels;
+    /**
+     * Zero.
+     */
+    uint32_t reserved_domain;
+    /**
      * Sizes: the length that no edge exceeds of simplices that meet the box of the inputs (the
      * least and largest of their coordinates on each axis); their circumradius is at most that of
      * the regular simplex with such edges. Outside the box simplices grow as fast as quality_bound
@@ -1640,6 +1677,32 @@ typedef struct nm_intersection {
      */
     double point[3];
 } nm_intersection;
+
+/**
+ * Holes that nm_mesh_close_holes has closed.
+ */
+typedef struct nm_closed_holes {
+    /**
+     * Set by the caller to sizeof(nm_closed_holes).
+     */
+    uint32_t struct_size;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+    /**
+     * Number of holes that were closed.
+     */
+    uint64_t holes;
+    /**
+     * Number of triangles that close them, the last of the facets now.
+     */
+    uint64_t triangles;
+    /**
+     * Number of edges at which one facet still ends and no other begins.
+     */
+    uint64_t open_edges;
+} nm_closed_holes;
 
 /**
  * Quality of a mesh. "Corners" are those of Voronoi cells. The aspect of a Voronoi cell is the
@@ -3086,8 +3149,8 @@ nm_status nm_mesh_get_segment_parents(const struct nm_mesh *mesh,
                                       uint64_t *needed);
 
 /**
- * Writes for each simplex the label of its region, 0 where no region of nm_mesh_set_regions has
- * its seed. None without segments or facets.
+ * Writes for each simplex the label of its region: that of the seed of nm_mesh_set_regions there,
+ * or else the number that nm_options.labels gives it, or 0. None without segments or facets.
  *
  * Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
  * NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (before nm_run, nm_run at work, poisoned).
@@ -3232,6 +3295,33 @@ nm_status nm_mesh_get_intersections(const struct nm_mesh *mesh,
                                     struct nm_intersection *buf,
                                     uint64_t capacity,
                                     uint64_t *needed);
+
+/**
+ * Closes holes of the facets that the mesh was given last (nm_mesh_set_facets,
+ * nm_mesh_set_triangles, a file): loops of at most max_edges edges at which one facet ends and no
+ * other begins. 3D only. The result of a run stays as it is until the next.
+ *
+ * A hole of k edges is closed by k - 2 triangles between its inputs, which become the last facets:
+ * nm_mesh_get_facet_parents knows them by numbers from the number of the caller's facets on. Their
+ * normals point to where those of the facets round the hole do, and their marker is that of these
+ * facets if they have one, otherwise 0. Of all triangles that could close a hole these are bent
+ * least, so that a flat facet that is missing is closed within its plane. A hole stays open if
+ * only a triangle that is there already, or one without an area, could close it. That triangles do
+ * not cross others is not known before nm_run or nm_mesh_get_intersections.
+ *
+ * max_edges: from 3 to 1000. closed: NULL, or the caller sets struct_size.
+ *
+ * Errors: NM_NULL_ARGUMENT (mesh), NM_INVALID_ARGUMENT (a mesh that is not 3D, max_edges,
+ * closed->struct_size), NM_CAPACITY (more facets than nm_mesh_set_facets takes), NM_OUT_OF_MEMORY,
+ * NM_STATE (another call is using the mesh, or it is poisoned). After an error the facets are as
+ * they were.
+ *
+ * O(n log n + sum of k^3) for n triangles and holes of k edges. Before nm_run and after.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_close_holes(struct nm_mesh *mesh,
+                              uint32_t max_edges,
+                              struct nm_closed_holes *closed);
 
 /**
  * Measures the quality of the mesh. O(vertices + simplices).

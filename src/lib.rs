@@ -36,12 +36,12 @@ pub(crate) mod delaunay;
 
 pub use error::{Error, ErrorKind, Result};
 pub use mesh::{
-    Arrangement, Attribute, Diagnosis, Domain, EdgeFault, Facets, Feature, Inputs, Intersection,
-    IntersectionKind, LeftOut, Mesh, NONE, Region, Segments, Stats, Subsegment, Triangulation,
-    VertexKind,
+    Arrangement, Attribute, Diagnosis, Domain, EdgeFault, Facets, Feature, HoleFilling, Inputs,
+    Intersection, IntersectionKind, LeftOut, Mesh, NONE, Region, Segments, Stats, Subsegment,
+    Triangulation, VertexKind,
 };
 pub use options::{
-    Algorithm, Criterion, Crossings, Extent, GivesWay, Interior, NetOrdering, Options, Output,
-    Phase, Progress, ProgressFn,
+    Algorithm, Criterion, Crossings, Extent, GivesWay, Interior, Labels, NetOrdering, Options,
+    Output, Phase, Progress, ProgressFn,
 };
 pub use parameters::Parameters;

@@ -6,7 +6,7 @@ mod table;
 pub mod text;
 
 pub use choices::{
-    Algorithm, Choice, Choices, Chosen, Criterion, Crossings, Extent, GivesWay, Interior,
+    Algorithm, Choice, Choices, Chosen, Criterion, Crossings, Extent, GivesWay, Interior, Labels,
     NetOrdering, Output,
 };
 pub use table::{Bounds, Group, Kind, Row, TABLE, Value, Word};

@@ -3,7 +3,7 @@
 
 use crate::error::{Choice, Error, Message, Name, Result, say};
 use crate::options::{
-    Algorithm, Bounds, Criterion, Crossings, Extent, GivesWay, Interior, Kind, NetOrdering,
+    Algorithm, Bounds, Criterion, Crossings, Extent, GivesWay, Interior, Kind, Labels, NetOrdering,
     Options, Output, Row, Value, each_option, pick,
 };
 

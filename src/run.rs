@@ -11,6 +11,7 @@ use crate::options::{Extent, Interior, Options, Progress, ProgressFn, SizeFn};
 use crate::parameters::{check_sized, with_interior};
 use crate::sizes::Field;
 
+mod holes;
 mod intersections;
 mod space;
 

@@ -23,9 +23,9 @@ Examples:
 /// Mesh points: in goes a file of points, out comes a conforming quality Delaunay mesh.
 ///
 /// The number of coordinates in the input is the dimension, 2 to 8. A number out of its range is
-/// refused, and the message tells the range in that dimension. Facets
-/// are those of a part: its inside is meshed, with --coplanar 0.1 and --min-dihedral 10 where these
-/// are not given.
+/// refused, and the message tells the range in that dimension. Facets are those of a part: its
+/// inside is meshed, with --coplanar 0.1, --min-dihedral 10 and --labels regions where these are
+/// not given.
 #[derive(Debug, Parser)]
 #[command(name = "netmesh", version, after_help = format!("{EXAMPLES}\n\n{}", exit_code::HELP))]
 pub struct Arguments {
@@ -110,6 +110,11 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE")]
     #[arg(conflicts_with_all = ["output", "json", "validate", "stats", "histogram", "quiet"])]
     pub diagnose: Option<PathBuf>,
+
+    /// Close holes of the surface that have at most so many edges, from 3 to 1000, with triangles
+    /// between their corners, before it is meshed or diagnosed. They are bent as little as can be
+    #[arg(long, value_name = "EDGES", value_parser = clap::value_parser!(u32).range(3..=1000))]
+    pub close_holes: Option<u32>,
 
     /// Print nothing but errors. The quality is then not measured (unless --json asks for it),
     /// which takes longer than the meshing of a large input

@@ -2,11 +2,12 @@
 
 use crate::arguments::Arguments;
 use crate::exit_code::{ExitCode, Failure};
+use crate::holes;
 use crate::numbers::{counted, grouped};
 use crate::standard;
 use netmesh::io::write_diagnosis_file;
 use netmesh::mesh::Diagnosis;
-use netmesh::{EdgeFault, Feature, Intersection, IntersectionKind, Mesh};
+use netmesh::{EdgeFault, Feature, HoleFilling, Intersection, IntersectionKind, Mesh};
 use std::fmt::Write;
 use std::path::Path;
 
@@ -14,7 +15,12 @@ use std::path::Path;
 const MOST: usize = 10;
 
 /// Returns the text of what was found in a mesh, and writes it into a file.
-pub fn text(mesh: &Mesh, path: &Path, arguments: &Arguments) -> Result<String, Failure> {
+pub fn text(
+    mesh: &Mesh,
+    filling: Option<&HoleFilling>,
+    path: &Path,
+    arguments: &Arguments,
+) -> Result<String, Failure> {
     let name = standard::input_name(&arguments.input);
     let facets = mesh.given_facets();
     if facets.count() == 0 {
@@ -30,6 +36,9 @@ pub fn text(mesh: &Mesh, path: &Path, arguments: &Arguments) -> Result<String, F
         counted(mesh.inputs().count() as u64, "point", "points"),
         counted(facets.count() as u64, words[0], words[1]),
     );
+    if let Some(filling) = filling {
+        let _ = writeln!(text, "{:<12}{}", "holes", holes::told(filling));
+    }
     add_counts(&mut text, &found, words);
     for pair in found.intersections.iter().take(MOST) {
         let _ = writeln!(text, "            {}", sentence(pair, words));

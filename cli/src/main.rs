@@ -10,6 +10,7 @@ mod diagnosis;
 mod exit_code;
 mod filtration;
 mod histograms;
+mod holes;
 mod input;
 mod interruption;
 #[cfg(test)]

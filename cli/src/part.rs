@@ -2,7 +2,7 @@
 //! makes the mesh of the inside that people mean who give nothing else.
 
 use crate::arguments::{Arguments, Product};
-use netmesh::{Algorithm, Extent, Mesh, Options};
+use netmesh::{Algorithm, Extent, Labels, Mesh, Options};
 
 /// Angle from flat in degrees up to which triangles are one facet. Flat faces that were stored in
 /// single precision are facets again, and turned surfaces of some hundred sides keep their edges.
@@ -24,6 +24,9 @@ pub fn options(arguments: &Arguments, mesh: &Mesh) -> Options {
     if is_open("coplanar") {
         options.coplanar = COPLANAR;
     }
+    if is_open("labels") {
+        options.labels = Labels::Regions;
+    }
     let keeps_angles = is_refined && options.quality_bound.is_finite();
     if keeps_angles && arguments.product() == Product::Mesh && is_open("min_dihedral") {
         options.min_dihedral = MIN_DIHEDRAL;
@@ -37,6 +40,9 @@ pub fn told(arguments: &Arguments, mesh: &Mesh) -> Option<String> {
     let coplanar = (used.coplanar != given.coplanar).then(|| format!("--coplanar {COPLANAR}"));
     let angle = used.min_dihedral != given.min_dihedral;
     let angle = angle.then(|| format!("--min-dihedral {MIN_DIHEDRAL}"));
-    let all: Vec<String> = coplanar.into_iter().chain(angle).collect();
-    (!all.is_empty()).then(|| format!("{} by default", all.join(" and ")))
+    let labels = (used.labels != given.labels).then(|| "--labels regions".to_owned());
+    let all: Vec<String> = [coplanar, angle, labels].into_iter().flatten().collect();
+    let [first @ .., last] = &all[..] else { return None };
+    let list = if first.is_empty() { last } else { &format!("{} and {last}", first.join(", ")) };
+    Some(format!("{list} by default"))
 }

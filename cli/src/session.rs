@@ -7,6 +7,7 @@ use crate::diagnosis;
 use crate::exit_code::{ExitCode, Failure};
 use crate::filtration;
 use crate::histograms::Histograms;
+use crate::holes;
 use crate::input;
 use crate::interruption;
 use crate::output;
@@ -35,9 +36,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let _stage = display.stage("reading");
         timed(&mut times.read, || input::read(arguments))?
     };
+    let filling = holes::close(&mut mesh, arguments)?;
     if let Some(path) = &arguments.diagnose {
         let _stage = display.stage("diagnosing");
-        return print(&diagnosis::text(&mesh, path, arguments)?);
+        return print(&diagnosis::text(&mesh, filling.as_ref(), path, arguments)?);
     }
     if let Some(path) = &arguments.size_files.sizes {
         sizes::set(&mut mesh, path)?;
@@ -73,6 +75,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             mesh: &mesh,
             inputs: mesh.inputs(),
             left_out: mesh.left_out(),
+            filling: filling.as_ref(),
             attributes: mesh.attributes(),
             triangulation,
             quality: &quality,

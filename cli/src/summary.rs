@@ -4,14 +4,15 @@ use crate::alpha_shape::Measured;
 use crate::arguments::Arguments;
 use crate::certificate;
 use crate::histograms::Histograms;
+use crate::holes;
 use crate::numbers::{counted, duration, grouped, measure};
 use crate::part;
 use crate::standard;
 use netmesh::quality::Quality;
 use netmesh::validate::Report;
 use netmesh::{
-    Algorithm, Attribute, Criterion, Extent, GivesWay, Inputs, LeftOut, Mesh, NetOrdering, Output,
-    Triangulation, VertexKind,
+    Algorithm, Attribute, Criterion, Extent, GivesWay, HoleFilling, Inputs, LeftOut, Mesh,
+    NetOrdering, Output, Triangulation, VertexKind,
 };
 use std::fmt::Write;
 
@@ -31,6 +32,7 @@ pub struct Summary<'a> {
     pub mesh: &'a Mesh,
     pub inputs: &'a Inputs,
     pub left_out: LeftOut,
+    pub filling: Option<&'a HoleFilling>,
     pub attributes: &'a [Attribute],
     pub triangulation: &'a Triangulation,
     pub quality: &'a Quality,
@@ -189,6 +191,9 @@ impl Summary<'_> {
         let subfacets = counted(boundary.subfacets.len() as u64, "subfacet", "subfacets");
         let subsegments = counted(boundary.subsegments.len() as u64, "subsegment", "subsegments");
         lines.add("facets", format!("{}; {subfacets}, {subsegments}", given.join(", ")));
+        if let Some(filling) = self.filling {
+            lines.add("", holes::told(filling));
+        }
         if let Some(told) = part::told(self.arguments, self.mesh) {
             lines.add("", told);
         }

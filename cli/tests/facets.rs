@@ -35,11 +35,17 @@ fn parts_have_defaults_of_their_own() {
     let bench = Workbench::new("facets_defaults");
     bench.write("cube.off", CUBE);
     for (line, coplanar, angle, told) in [
-        ("", "0.1", "10", Some(" --coplanar 0.1 and --min-dihedral 10 by default\n")),
-        ("--coplanar 0", "0", "10", Some(" --min-dihedral 10 by default\n")),
-        ("--min-dihedral 0", "0.1", "0", Some(" --coplanar 0.1 by default\n")),
-        ("--coplanar 0.5 --min-dihedral 5", "0.5", "5", None),
-        ("--hierarchical --coplanar 1", "1", "0", None),
+        (
+            "",
+            "0.1",
+            "10",
+            Some(" --coplanar 0.1, --min-dihedral 10 and --labels regions by default\n"),
+        ),
+        ("--coplanar 0", "0", "10", Some(" --min-dihedral 10 and --labels regions by default\n")),
+        ("--min-dihedral 0", "0.1", "0", Some(" --coplanar 0.1 and --labels regions by default\n")),
+        ("--labels seeds", "0.1", "10", Some(" --coplanar 0.1 and --min-dihedral 10 by default\n")),
+        ("--coplanar 0.5 --min-dihedral 5 --labels regions", "0.5", "5", None),
+        ("--hierarchical --coplanar 1 --labels seeds", "1", "0", None),
         ("--extent hull", "0", "0", None),
     ] {
         let outcome = bench.run(&format!("cube.off {line} --json cube.json"));
@@ -97,6 +103,38 @@ fn surfaces_are_diagnosed() {
         ("bad.off --diagnose a.vtu -o b.vtu", 2, "cannot be used with"),
     ] {
         bench.run(line).assert_failure(code, &[words]);
+    }
+}
+
+/// Holes are closed where that is asked for, in what is meshed and in what is diagnosed.
+#[test]
+fn holes_are_closed() {
+    let bench = Workbench::new("facets_holes");
+    let open = CUBE.replacen("8 6 0", "8 5 0", 1).replace("4 3 0 4 7\n", "");
+    bench.write("open.off", &open);
+    bench.write("points.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
+    let closed = "1 hole closed with 2 triangles, 0 edges left open\n";
+    let kept = "0 holes closed with 0 triangles, 4 edges left open\n";
+    for (line, words) in [
+        ("--close-holes 4", ["\nfacets      7 facets; ", closed, "of what facets enclose"]),
+        ("--close-holes 3 --diagnose a.vtu", ["\nholes       ", kept, "edges       4 edges where"]),
+        (
+            "--close-holes 9 --diagnose a.vtu",
+            [", 7 facets in ", closed, "edges       0 edges where"],
+        ),
+    ] {
+        let outcome = bench.run(&format!("open.off {line}"));
+        outcome.assert_success();
+        for words in words {
+            assert!(outcome.stdout.contains(words), "no {words:?} in {}", outcome.stdout);
+        }
+    }
+    for (line, words) in [
+        ("points.xyz --close-holes 4", "has no facets; --close-holes is for surfaces"),
+        ("open.off --close-holes 2", "2 is not in 3..=1000"),
+        ("open.off --close-holes 1001", "1001 is not in 3..=1000"),
+    ] {
+        bench.run(line).assert_failure(2, &[words]);
     }
 }
 

@@ -85,6 +85,17 @@ public:
                                                      markers.empty() ? nullptr : markers.data()));
     }
 
+    // Closes holes of the facets that have at most max_edges edges by triangles, which become the
+    // last facets.
+    result<nm_closed_holes> try_close_holes(std::uint32_t max_edges) {
+        nm_closed_holes closed = NM_CLOSED_HOLES_INIT;
+        result<void> done = outcome(nm_mesh_close_holes(handle_, max_edges, &closed));
+        if (!done) {
+            return failure{done.status(), done.message()};
+        }
+        return closed;
+    }
+
     // Returns all pairs of facets and segments in 3D that meet in more than they share.
     result<std::vector<nm_intersection>> try_intersections() const {
         return fetched<nm_intersection>(
@@ -154,6 +165,7 @@ public:
     void set_triangles(span<const std::uint32_t> inputs, span<const std::int32_t> markers = {}) {
         try_set_triangles(inputs, markers).value();
     }
+    nm_closed_holes close_holes(std::uint32_t max_edges) { return try_close_holes(max_edges).value(); }
     void set_regions(span<const nm_region> regions) { try_set_regions(regions).value(); }
     table<std::uint32_t> segments() const { return try_segments().value(); }
     std::vector<std::uint32_t> segment_parents() const { return try_segment_parents().value(); }

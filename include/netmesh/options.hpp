@@ -35,6 +35,7 @@ struct options {
     nm_interior interior = NM_INTERIOR_AUTO;  // with NM_EXTENT_BOUNDARY and NM_EXTENT_AUTO
     nm_crossings crossings = NM_CROSSINGS_REFUSE;
     double coplanar = 0;  // 3D only
+    nm_labels labels = NM_LABELS_SEEDS;
     // Sizes.
     double max_edge = 0;
     double distance_ratio = 0;
@@ -80,6 +81,7 @@ void copy(const From &from, To &to) noexcept {
     to.interior = from.interior;
     to.crossings = from.crossings;
     to.coplanar = from.coplanar;
+    to.labels = from.labels;
     to.max_edge = from.max_edge;
     to.distance_ratio = from.distance_ratio;
     to.output = from.output;

@@ -22,7 +22,7 @@ from ._errors import (
     OutOfMemoryError,
     StateError,
 )
-from ._facets import intersections
+from ._facets import close_holes, intersections
 from ._filtration import Filtration
 from ._interpolator import LinearNDInterpolator
 from ._mesh import Mesh, mesh
@@ -78,6 +78,7 @@ __all__ = [
     "Violation",
     "Voronoi",
     "VoronoiCells",
+    "close_holes",
     "intersections",
     "mesh",
 ]

@@ -1,4 +1,4 @@
-"""Facets in the form that the library takes, and pairs of them that meet in more than they may."""
+"""Facets in the form that the library takes, pairs that meet in more than they may, and holes."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ import numpy as np
 from ._arrays import array, doubles, point_rows, whole_numbers
 from ._boundary import boundary_of
 from ._errors import InvalidArgumentError
+from ._netmesh import close_holes as _close_holes
 from ._netmesh import intersections as _intersections
 from ._results import Intersection
 
@@ -143,3 +144,47 @@ def intersections(points: Any, facets: Any = None, segments: Any = None) -> list
     boundary = boundary_of(segments, None, None, None, rows.shape[1])
     found = _intersections(rows, (*boundary, facets_of(facets, None)))
     return [Intersection(kind, first, second, np.fromiter(x, np.float64)) for kind, first, second, x in found]
+
+
+def close_holes(points: Any, facets: Any = None, max_edges: int = 100) -> np.ndarray:
+    """Find triangles that close the holes of a surface in space.
+
+    A hole is a loop of edges at which one facet ends and no other begins. One of k edges is closed
+    by k - 2 triangles between its points. Of all that could close it these are bent least, so that
+    a flat facet that is missing is closed within its plane. A hole stays open if only a triangle
+    that is there already, or one without an area, could close it. That the triangles do not cross
+    others is not known before `intersections` or `mesh` are asked.
+
+    Parameters
+    ----------
+    points : array_like of float, shape (n, 3), or a surface
+    facets : optional
+        Triangles, polygons or lists of loops, as those of `mesh`.
+    max_edges : int, default 100
+        Number of edges of the largest hole that is closed, from 3 to 1000. The time grows with its
+        third power.
+
+    Returns
+    -------
+    ndarray of int32, shape (triangles, 3)
+        Numbers of points. Their normals point to where those of the facets round the hole do.
+
+    Examples
+    --------
+    >>> import netmesh, numpy as np
+    >>> points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+    >>> open_surface = [[0, 2, 1], [0, 1, 3], [0, 3, 2]]
+    >>> closing = netmesh.close_holes(points, open_surface)
+    >>> closing.tolist()
+    [[1, 2, 3]]
+    >>> mesh = netmesh.mesh(points, facets=np.vstack([open_surface, closing]))
+    >>> round(mesh.volumes.sum() * 6, 12)
+    1.0
+    """
+    points, facets = points_and_facets(points, facets)
+    rows = point_rows(points)
+    boundary = boundary_of(None, None, None, None, rows.shape[1])
+    if not isinstance(max_edges, numbers.Integral) or not 3 <= max_edges <= 1000:
+        raise InvalidArgumentError(f"max_edges is {max_edges!r}; it must be a whole number from 3 to 1000")
+    found = _close_holes(rows, (*boundary, facets_of(facets, None)), int(max_edges))
+    return np.array(found, np.int32).reshape(-1, 3)

@@ -51,6 +51,7 @@ def mesh(
     interior: Literal["auto", "seeds", "parity", "winding"] = "auto",
     crossings: Literal["refuse", "split"] = "refuse",
     coplanar: float = 0.0,
+    labels: Literal["seeds", "regions"] = "seeds",
     max_edge: float = 0.0,
     distance_ratio: float = 0.0,
     size: Any = None,
@@ -143,6 +144,10 @@ def mesh(
         Angle from flat in degrees, in 3D, up to which triangles of a surface that share an edge and
         have one marker are one facet, and facets may be bent; by default only as far as roundings
         explain. From 0 to 10.
+    labels : {'seeds', 'regions'}
+        Labels of the regions that segments, in 3D facets, separate. 'seeds': those of seeds, and 0;
+        'regions': those of seeds; other regions of the domain are numbered from 1 on, by their
+        first segments or facets.
     max_edge : float
         Length that no edge exceeds of simplices that meet the box of the inputs. Not in
         hierarchical meshes. Above 0.

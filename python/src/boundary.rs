@@ -100,6 +100,20 @@ fn numbers(
     markers.as_array().iter().enumerate().map(number).collect::<PyResult<_>>().map(Some)
 }
 
+/// Returns the triangles that close holes of facets with at most so many edges, three inputs each.
+#[pyfunction]
+pub fn close_holes(
+    py: Python<'_>,
+    points: PyReadonlyArray2<'_, f64>,
+    boundary: Boundary<'_>,
+    max_edges: u32,
+) -> PyResult<Vec<[u32; 3]>> {
+    let mut mesh = mesh_of(py, &points)?;
+    set_boundary(py, &mut mesh, &boundary)?;
+    let found = abandonable(py, move || mesh.close_holes(max_edges as usize))?;
+    Ok(found.triangles)
+}
+
 /// Kind of a feature, and its number.
 type Named = (&'static str, u32);
 

@@ -108,6 +108,29 @@ def test_intersections_are_found():
     assert netmesh.intersections(CUBE) == []
 
 
+def test_holes_are_closed():
+    open_cube = SIDES[:5]
+    closing = netmesh.close_holes(CUBE, open_cube, 4)
+    assert closing.shape == (2, 3) and closing.dtype == np.int32
+    assert {frozenset(triangle) for triangle in closing.tolist()} in (
+        {frozenset(pair) for pair in pairs}
+        for a, b, c, d in [SIDES[5]]
+        for pairs in (((a, b, c), (a, c, d)), ((b, c, d), (b, d, a)))
+    )
+    mesh = netmesh.mesh(CUBE, facets=[*open_cube, *closing.tolist()])
+    assert mesh.volumes.sum() == pytest.approx(1, abs=1e-12)
+    assert netmesh.close_holes(CUBE, open_cube, 3).shape == (0, 3)
+    assert len(netmesh.close_holes(SimpleNamespace(vertices=CUBE, faces=TRIANGLES[:10]))) == 2
+    assert len(netmesh.close_holes(CUBE)) == 0
+
+
+@pytest.mark.parametrize("edges", [2, 1001, 4.0, "many", None])
+def test_holes_of_no_size_are_refused(edges):
+    with pytest.raises(netmesh.InvalidArgumentError) as error:
+        netmesh.close_holes(CUBE, SIDES, edges)
+    assert str(error.value) == f"max_edges is {edges!r}; it must be a whole number from 3 to 1000"
+
+
 def test_what_crosses_is_refused():
     with pytest.raises(netmesh.InvalidArgumentError) as error:
         netmesh.mesh(CROSSED, facets=[[0, 1, 2], [3, 4, 5]])

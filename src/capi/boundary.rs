@@ -205,8 +205,8 @@ pub unsafe extern "C" fn nm_mesh_get_segment_parents(
     unsafe { get_array(mesh, buf, capacity, needed, |mesh| Ok(&result(mesh)?.boundary.parents)) }
 }
 
-/// Writes for each simplex the label of its region, 0 where no region of nm_mesh_set_regions has
-/// its seed. None without segments or facets.
+/// Writes for each simplex the label of its region: that of the seed of nm_mesh_set_regions there,
+/// or else the number that nm_options.labels gives it, or 0. None without segments or facets.
 ///
 /// Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
 /// NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (before nm_run, nm_run at work, poisoned).

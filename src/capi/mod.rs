@@ -60,6 +60,8 @@ mod boundary;
 
 mod facets;
 
+mod holes;
+
 mod measures;
 
 mod histogram;
@@ -106,6 +108,7 @@ pub use getters::{
 };
 pub use handle::nm_mesh;
 pub use histogram::nm_mesh_quality_histogram;
+pub use holes::{nm_closed_holes, nm_mesh_close_holes};
 pub use measures::{nm_mesh_quality, nm_mesh_stats, nm_mesh_validate};
 pub use options::nm_options_init;
 pub use queries::{

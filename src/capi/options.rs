@@ -124,16 +124,15 @@ macro_rules! declare_conversions {
                 size_user_data: null_mut(),
                 progress: None,
                 user_data: null_mut(),
+                reserved_domain: 0,
                 reserved: 0,
             }
         }
 
         /// Returns the options that C asks for, enums and switches checked.
         pub(super) fn decode_options(options: &nm_options) -> Result<Options> {
-            if options.reserved != 0 {
-                let given = options.reserved;
-                return Err(Error::invalid(message!("options.reserved is {given}; it must be 0")));
-            }
+            check_reserved("reserved_domain", options.reserved_domain)?;
+            check_reserved("reserved", options.reserved)?;
             Ok(Options {
                 $($field: Field::decode(stringify!($field), options.$field)?,)*
             })
@@ -141,6 +140,13 @@ macro_rules! declare_conversions {
     };
 }
 each_option!(declare_conversions);
+
+fn check_reserved(name: &str, given: u32) -> Result<()> {
+    if given == 0 {
+        return Ok(());
+    }
+    Err(Error::invalid(message!("options.{name} is {given}; it must be 0")))
+}
 
 #[cfg(test)]
 mod tests {

@@ -2,7 +2,7 @@
 
 use super::memory::Versioned;
 use crate::options::{
-    Algorithm, Criterion, Crossings, Extent, GivesWay, Interior, NetOrdering, Output, Phase,
+    Algorithm, Criterion, Crossings, Extent, GivesWay, Interior, Labels, NetOrdering, Output, Phase,
 };
 use crate::validate::ViolationKind;
 use std::ffi::{c_char, c_void};
@@ -134,6 +134,11 @@ pub struct nm_options {
     /// mesh, and the fewer vertices it has. In 3D only. In [0, 10], default 0: exactly flat, or as
     /// far from it as roundings of the coordinates explain.
     pub coplanar: f64,
+    /// Labels of the regions that segments, in 3D facets, separate (nm_mesh_get_simplex_regions).
+    /// Default NM_LABELS_SEEDS.
+    pub labels: MaybeUninit<Labels>,
+    /// Zero.
+    pub reserved_domain: u32,
     /// Sizes: the length that no edge exceeds of simplices that meet the box of the inputs (the
     /// least and largest of their coordinates on each axis); their circumradius is at most that of
     /// the regular simplex with such edges. Outside the box simplices grow as fast as quality_bound
@@ -217,7 +222,7 @@ unsafe impl Versioned for nm_options {
     }
 }
 
-const _: () = assert!(size_of::<nm_options>() == 12 * 4 + 15 * 8 + 4 * size_of::<usize>());
+const _: () = assert!(size_of::<nm_options>() == 14 * 4 + 15 * 8 + 4 * size_of::<usize>());
 
 /// Sizes of a mesh. Before nm_run: the distinct inputs as vertices, no simplices, no domains.
 #[allow(non_camel_case_types)]

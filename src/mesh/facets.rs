@@ -127,6 +127,27 @@ impl Facets {
         })
     }
 
+    /// Returns these facets, and after them triangles.
+    pub(crate) fn with_triangles(&self, triangles: &[[u32; 3]], markers: &[i32]) -> Result<Self> {
+        check_capacity("facets", self.count() + triangles.len())?;
+        check_capacity("inputs of loops", self.inputs.len() + 3 * triangles.len())?;
+        let [loops, inputs] = [self.input_starts.len() - 1, self.inputs.len()];
+        let starts = |first: usize, step: usize| {
+            (1..=triangles.len()).map(move |at| (first + step * at) as u32)
+        };
+        let after = |own: &[u32], more: &mut dyn Iterator<Item = u32>| {
+            collected(own.iter().copied().chain(more))
+        };
+        let corners = &mut triangles.as_flattened().iter().copied();
+        Ok(Self {
+            loop_starts: after(&self.loop_starts, &mut starts(loops, 1))?,
+            input_starts: after(&self.input_starts, &mut starts(inputs, 3))?,
+            inputs: after(&self.inputs, corners)?,
+            markers: collected(self.markers.iter().chain(markers).copied())?,
+            are_triangles: self.are_triangles,
+        })
+    }
+
     /// Fails if a loop of a facet has a number that is no input, or a point twice in a row, or if
     /// no loop is a polygon.
     fn check_loops(&self, inputs: &Inputs, facet: usize) -> Result<()> {

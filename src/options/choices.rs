@@ -130,6 +130,21 @@ pub enum Interior {
     Winding = 3,
 }
 
+/// Labels of the regions that segments, in space facets, separate.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(i32)]
+pub enum Labels {
+    /// A region has the label of its seed, without one 0.
+    #[default]
+    Seeds = 0,
+    /// Regions of the domain without a seed are numbered from 1 on, but for the labels of seeds.
+    /// They are in the order of the first facets that they are behind, where normals do not point
+    /// to: so each of several shells numbers what it encloses. Those that are behind none come
+    /// last, by the first facets that they are before. In the plane segments stand for facets, and
+    /// behind is what is on their left. What is outside of all that they enclose has the label 0.
+    Regions = 1,
+}
+
 /// Promise that gives way where min_dihedral and quality_bound cannot both be kept.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(i32)]
@@ -246,6 +261,11 @@ choices! {
     Crossings "crossings" {
         Refuse "refuse": "the run is refused",
         Split "split": "the double nearest to the crossing becomes a vertex of both",
+    }
+    Labels "labels" {
+        Seeds "seeds": "those of seeds, and 0",
+        Regions "regions": "those of seeds; other regions of the domain are numbered from 1 on, \
+            by their first segments or facets",
     }
     Output "output" {
         Auto "auto": "well-spaced where an angle, a size, `distance_ratio` or an extent other than \

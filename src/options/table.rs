@@ -4,8 +4,8 @@
 
 use super::Options;
 use super::choices::{
-    Algorithm, Choice, Choices, Criterion, Crossings, Extent, GivesWay, Interior, NetOrdering,
-    Output,
+    Algorithm, Choice, Choices, Criterion, Crossings, Extent, GivesWay, Interior, Labels,
+    NetOrdering, Output,
 };
 
 /// Calls the macro `$then` with the rows of the table, in the order of `nm_options`.
@@ -76,6 +76,11 @@ where `extent` is auto or boundary; seeds may make holes of them.",
                 help: "Angle from flat in degrees, in 3D, up to which triangles of a surface that \
 share an edge and have one marker are one facet, and facets may be bent; by default only as far as \
 roundings explain.",
+            }
+            Labels labels: Labels {
+                default: Labels::Seeds, group: Domain, on_ranks: false,
+                kind: words::<Labels>(),
+                help: "Labels of the regions that segments, in 3D facets, separate.",
             }
             MaxEdge max_edge: f64 {
                 default: 0.0, group: Sizes, on_ranks: false,

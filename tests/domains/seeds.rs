@@ -3,7 +3,7 @@
 
 use super::shapes::{Domain, square};
 use super::{inside, refusal, run};
-use netmesh::options::{Extent, Interior, Options, Output};
+use netmesh::options::{Extent, Interior, Labels, Options, Output};
 use netmesh::quality::measure;
 use netmesh::validate::validate_mesh;
 use netmesh::{ErrorKind, Mesh, NONE, Region};
@@ -106,6 +106,37 @@ fn with_the_extent_all_what_is_outside_is_a_region() {
                 _ => 1,
             };
             assert_eq!(result.boundary.simplex_regions[simplex], expected);
+        }
+    }
+}
+
+/// Regions without a seed are numbered by the first segment that they are on the left of, or else
+/// on the right of.
+#[test]
+fn regions_are_numbered_by_their_segments() {
+    let numbered = |extent| Options { labels: Labels::Regions, ..with(extent) };
+    for (regions, [ring, inner]) in [
+        (vec![], [1, 2]),
+        (vec![label([0.0, 1.5], 5)], [5, 1]),
+        (vec![label([0.0, 1.5], 1)], [1, 2]),
+        (vec![label([0.0, 0.0], 1)], [2, 1]),
+    ] {
+        for extent in [Extent::All, Extent::Hull, Extent::Boundary] {
+            let mut domain = frame();
+            domain.regions = regions.clone();
+            let mesh = sound(&domain, &numbered(extent));
+            let result = mesh.result().unwrap();
+            for simplex in 0..result.simplex_count() {
+                let corners = [0, 1, 2].map(|at| result.point(result.simplex(simplex)[at]));
+                let [x, y] =
+                    [0, 1].map(|axis| corners.map(|c| c[axis] / 3.0).iter().sum::<f64>().abs());
+                let expected = match x.max(y) {
+                    far if far > 2.0 => 0,
+                    far if far > 1.0 => ring,
+                    _ => inner,
+                };
+                assert_eq!(result.boundary.simplex_regions[simplex], expected, "{extent:?}");
+            }
         }
     }
 }

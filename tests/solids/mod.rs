@@ -6,6 +6,8 @@ mod crossings;
 mod dihedral;
 mod extents;
 mod files;
+mod holes;
+mod labels;
 mod options;
 mod shapes;
 

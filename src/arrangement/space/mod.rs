@@ -13,7 +13,8 @@
 //! - [`merge`] makes one facet of triangles that [`bends`] shows to be in one plane; [`facets`]
 //!   puts these and polygons into the arrangement, and [`lines`] the edges at which they end.
 //! - [`closed`] tells whether facets are closed surfaces, and whether they enclose something;
-//!   [`sides`] has what meets at an edge.
+//!   [`sides`] has what meets at an edge. [`holes`] finds loops at which surfaces are open, and
+//!   [`filling`] has triangles that close one.
 //! - [`frame`] has the sides of a box or, by [`hull`], of the convex hull of the inputs; [`fit`]
 //!   leads them through the inputs, facets and segments on them.
 
@@ -26,8 +27,10 @@ mod facets;
 mod faults;
 #[cfg(test)]
 mod file_tests;
+mod filling;
 mod fit;
 mod frame;
+mod holes;
 mod hull;
 mod intersections;
 mod isolated;
@@ -53,6 +56,7 @@ mod tests;
 
 pub use closed::{check_closed_in_space, encloses_in_space};
 pub use duplicates::count_duplicates;
+pub use holes::fill_holes;
 pub use odd_edges::find_odd_edges;
 
 use super::poll::Poll;

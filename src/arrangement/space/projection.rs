@@ -16,7 +16,7 @@ impl Projection {
     /// Returns the projection of a triangle in which it is largest, but for roundings; `None` if it
     /// has no area.
     pub fn of_triangle(corners: [&[f64; 3]; 3]) -> Option<Self> {
-        let normal = approximate_normal(corners);
+        let normal = normal(corners);
         let mut all = Self::ALL;
         // Of equal components the one on the last axis is the first.
         all.sort_unstable_by(|a, b| {
@@ -43,7 +43,7 @@ impl Projection {
 
 /// Returns a normal of a triangle, of any length, but for roundings; zeros where doubles cannot
 /// tell it.
-fn approximate_normal([a, b, c]: [&[f64; 3]; 3]) -> [f64; 3] {
+pub(super) fn normal([a, b, c]: [&[f64; 3]; 3]) -> [f64; 3] {
     let [u, v] = [b, c].map(|end| {
         let way: [f64; 3] = std::array::from_fn(|k| 0.5 * end[k] - 0.5 * a[k]);
         let longest = way.iter().fold(0.0f64, |longest, step| longest.max(step.abs()));

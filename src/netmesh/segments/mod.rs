@@ -17,6 +17,7 @@
 //! - `clusters`: the concentrated sets of vertices, which get cages.
 //! - `sharp_ends`: the ends of lines at which they make sharp angles.
 //! - `interior`: the regions that are inside.
+//! - `labels`: the numbers of regions without a seed.
 //! - `seeds`: the labels, sizes and holes that the caller's seeds give regions.
 //! - `coarsen`: the removal of vertices that the bound does not need.
 //! - `ring`: the neighbours of a vertex, and whether they need it.
@@ -25,6 +26,7 @@ pub(super) mod clusters;
 pub(super) mod coarsen;
 pub(super) mod conform;
 pub(super) mod interior;
+mod labels;
 pub(super) mod points;
 pub(super) mod ring;
 pub(super) mod seeds;

@@ -4,14 +4,14 @@
 
 use crate::complex::{SimplexId, VertexId};
 use crate::error::{Choice, Error, ErrorKind, Message, Name, Result, message, say};
-use crate::memory::{TryGrow, filled};
+use crate::memory::{TryGrow, filled, with_capacity};
 use crate::mesh::{NONE, Region};
 use crate::netmesh::state::segments::regions::OUTSIDE;
 use crate::netmesh::state::segments::walls::Walls;
 use crate::netmesh::state::segments::{At, Seed, name_of};
 use crate::netmesh::state::{Mesher, State};
 use crate::numerics::{Sign, orientation};
-use crate::options::Extent;
+use crate::options::{Extent, Labels};
 use crate::parameters::Parameters;
 use std::borrow::Cow;
 
@@ -26,18 +26,24 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.find_seeds(seeds, &is_inside)?;
         let mut labels = filled(count, 0)?;
         let mut max_edges = filled(count, f64::INFINITY)?;
+        let (mut has_label, mut taken) = (filled(count, false)?, with_capacity(seeds.len())?);
         for (&Seed { region, .. }, given) in self.state.segments.seeds.iter().zip(seeds) {
             let region = region as usize;
             if given.is_hole {
                 is_inside[region] = false;
                 continue;
             }
-            labels[region] = given.label;
+            (labels[region], has_label[region]) = (given.label, true);
+            taken.push(given.label);
             if given.max_edge > 0.0 {
                 max_edges[region] = given.max_edge;
             }
         }
         self.state.refuse_nothing(&is_inside, "all that is inside is a hole")?;
+        if self.state.parameters.labels == Labels::Regions {
+            taken.sort_unstable();
+            self.state.number_regions(&has_label, &is_inside, &taken, &mut labels)?;
+        }
         let regions = &mut self.state.segments.regions;
         (regions.is_inside, regions.labels) = (is_inside, labels);
         regions.max_edges = max_edges;

@@ -7,8 +7,8 @@
 //!   near to them as doubles can be; `chains`, subsegments lead from end to end of every segment;
 //!   `frame`, those of a hull or box go round the inputs.
 //! - Level 3: `regions`, what segments separate, with the labels of seeds; `interior`, which of
-//!   them closed curves enclose; `areas`, of the regions; `forced`, the triangles that small angles
-//!   between segments excuse.
+//!   them closed curves enclose; `labels`, the numbers of those without a seed; `areas`, of the
+//!   regions; `forced`, the triangles that small angles between segments excuse.
 //!
 //! `anchors` are the ends of lines; `exact` and `sum` are the arithmetic. Which simplices are on
 //! the sides of a subsegment or subfacet is found here from the simplices alone (`walls`).
@@ -22,6 +22,7 @@ mod exact;
 mod forced;
 mod frame;
 mod interior;
+mod labels;
 mod lines;
 mod regions;
 mod space;

@@ -2,7 +2,7 @@
 //! which labels there are, and the domain is what is neither outside nor a hole.
 
 use super::walls::{self, Walls};
-use super::{Outline, Promised, interior};
+use super::{Outline, Promised, interior, labels};
 use crate::error::message;
 use crate::memory::{AllocResult, TryGrow, collected, filled};
 use crate::mesh::{NONE, Region};
@@ -21,7 +21,7 @@ pub(super) struct Components {
 
 pub(super) struct Component {
     /// First simplex of the region.
-    first: usize,
+    pub first: usize,
     /// True if the region reaches to the hull.
     pub is_outside: bool,
     /// The extent reaches to the hull, too.
@@ -32,7 +32,8 @@ pub(super) struct Component {
     /// The seed in it.
     seed: Option<usize>,
     is_hole: bool,
-    label: i32,
+    /// The label that its simplices must have.
+    pub label: i32,
     max_edge: f64,
 }
 
@@ -53,6 +54,7 @@ pub(super) fn check<const D: usize>(
     }
     if let Some(outline) = outline {
         components.add_seeds(view, outline.regions, findings)?;
+        labels::expect(view, walls, &mut components)?;
     }
     for component in &components.all {
         let is_boundary = view.mesh.parameters.extent == Extent::Boundary;
@@ -141,8 +143,7 @@ fn check_label<const D: usize>(view: View<'_, D>, component: &Component, finding
     let (first, expected) = (component.first, component.label);
     let label = view.mesh.boundary.simplex_regions[first];
     findings.check(label == expected, || {
-        let message =
-            message!("simplex {first} has the label {label}, the seed in its region {expected}");
+        let message = message!("simplex {first} has the label {label}, its region {expected}");
         Violation::new(ViolationKind::RegionLabel, message).simplex(first)
     });
 }
@@ -159,6 +160,16 @@ impl Component {
             label: 0,
             max_edge: f64::INFINITY,
         }
+    }
+
+    /// Returns true if the component is a region of the domain that no seed gives a label.
+    pub fn is_unlabelled(&self) -> bool {
+        self.is_enclosed() && self.seed.is_none() && !(self.is_of_all && self.is_outside)
+    }
+
+    /// Returns the label that a seed gives the component.
+    pub fn label_of_seed(&self) -> Option<i32> {
+        self.seed.filter(|_| !self.is_hole).map(|_| self.label)
     }
 
     /// Returns true if the component is inside unless its seed says that it is a hole.

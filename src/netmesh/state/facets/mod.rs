@@ -89,6 +89,7 @@ pub(in crate::netmesh) struct Facet {
 /// Part of a facet between subsegments: it has one region on either side.
 #[derive(Clone, Copy)]
 pub(in crate::netmesh) struct Wall {
+    pub facet: u32,
     /// Number by which the winding number behind it is larger than that before it.
     pub balance: i64,
 }
@@ -310,7 +311,7 @@ impl Facets {
                 continue;
             }
             let wall = self.walls.len() as u32;
-            self.walls.try_push(Wall { balance: balances[facet as usize] })?;
+            self.walls.try_push(Wall { facet, balance: balances[facet as usize] })?;
             self.subfacets[first as usize].wall = wall;
             reached.try_push(first)?;
             while let Some(subfacet) = reached.pop() {

@@ -34,6 +34,15 @@ impl Walls<'_> {
         }
     }
 
+    /// Returns the caller's segment or facet that a wall is part of, the first of several;
+    /// [`NONE`](crate::mesh::NONE) for the boundary of a hull or box.
+    pub fn parent(self, dimension: usize, wall: usize) -> u32 {
+        match dimension {
+            2 => self.chains.lines[wall].segment,
+            _ => self.facets.facets[self.facets.walls[wall].facet as usize].parent,
+        }
+    }
+
     /// Returns the walls at the sides of a live simplex: number i is opposite vertex number i.
     #[inline]
     pub fn of(self, vertices: &[VertexId]) -> [Seen; 4] {

@@ -1,0 +1,14 @@
+//! Holes of surfaces, and what closes them.
+
+/// Triangles that close holes of a surface.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct HoleFilling {
+    /// Three inputs for each triangle, counterclockwise where the surface's normal points to.
+    pub triangles: Vec<[u32; 3]>,
+    /// Marker of each triangle: that of the facets round its hole if they have one, otherwise 0.
+    pub markers: Vec<i32>,
+    /// Number of holes that they close.
+    pub holes: usize,
+    /// Number of edges at which the surface stays open.
+    pub open_edges: usize,
+}

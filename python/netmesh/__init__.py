@@ -22,7 +22,7 @@ from ._errors import (
     OutOfMemoryError,
     StateError,
 )
-from ._facets import intersections
+from ._facets import intersections, odd_edges
 from ._filtration import Filtration
 from ._interpolator import LinearNDInterpolator
 from ._mesh import Mesh, mesh
@@ -33,6 +33,7 @@ from ._results import (
     CSR,
     Facets,
     Intersection,
+    OddEdge,
     Placement,
     Quality,
     Report,
@@ -66,6 +67,7 @@ __all__ = [
     "LinearNDInterpolator",
     "Mesh",
     "NonFiniteError",
+    "OddEdge",
     "OutOfMemoryError",
     "Part",
     "Placement",
@@ -80,6 +82,7 @@ __all__ = [
     "VoronoiCells",
     "intersections",
     "mesh",
+    "odd_edges",
 ]
 
 # Users see the exceptions where they import them from.

@@ -106,9 +106,12 @@ pub struct Arguments {
     /// Make no mesh, but tell what keeps the facets of the input from being a closed surface that a
     /// mesh can conform to: edges that are open, of three or more facets or turned round, facets
     /// without an area, and all pairs that cross, touch or overlap. They are the cells of FILE, in
-    /// VTK's format .vtu
+    /// VTK's format, and its name ends with .vtu
     #[arg(long, value_name = "FILE")]
-    #[arg(conflicts_with_all = ["output", "json", "validate", "stats", "histogram", "quiet"])]
+    #[arg(conflicts_with_all = [
+        "output", "output_format", "attributes", "filtration", "alpha_shape", "finish", "hierarchical",
+        "json", "validate", "stats", "histogram", "quiet", "sizes", "background"
+    ])]
     pub diagnose: Option<PathBuf>,
 
     /// Print nothing but errors. The quality is then not measured (unless --json asks for it),

@@ -85,6 +85,14 @@ fn surfaces_are_diagnosed() {
     ] {
         assert!(outcome.stdout.contains(words), "no {words:?} in {}", outcome.stdout);
     }
+    bench.write(
+        "polygons.off",
+        "OFF\n5 3 0\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n4 0 0\n4 0 1 2 3\n4 2 4 0 3\n3 0 1 2\n",
+    );
+    let outcome = bench.run("polygons.off --diagnose POLYGONS.VTU");
+    outcome.assert_success();
+    let words = "            1 facet with the vertices of an earlier one\n";
+    assert!(outcome.stdout.contains(words), "{}", outcome.stdout);
     let file = String::from_utf8_lossy(&bench.bytes("bad.vtu")).into_owned();
     assert!(file.contains(r#"<Piece NumberOfPoints="10" "#), "{file}");
     let outcome = bench.run("cube.off --diagnose none.vtu");
@@ -92,12 +100,35 @@ fn surfaces_are_diagnosed() {
     assert!(outcome.stdout.contains("edges       0 edges where one facet ends"));
     for (line, code, words) in [
         ("bad.off --diagnose -", 2, "--diagnose needs the name of a file"),
-        ("bad.off --diagnose bad.off", 2, "this is the input"),
+        ("bad.off --diagnose bad.off", 2, "bad.off: --diagnose writes VTU; the name of its file"),
+        ("bad.off --diagnose faults", 2, "its file must end with .vtu"),
         ("bad.off --points --diagnose a.vtu", 2, "has no facets; --diagnose is for surfaces"),
-        ("bad.off --diagnose a.vtu -o b.vtu", 2, "cannot be used with"),
     ] {
         bench.run(line).assert_failure(code, &[words]);
     }
+    for option in [
+        "--output <FILE>",
+        "--output-format <FORMAT>",
+        "--json <FILE>",
+        "--validate",
+        "--stats",
+        "--histogram",
+        "--filtration <KIND>",
+        "--alpha-shape <ALPHA>",
+        "--finish",
+        "--sizes <FILE>",
+        "--background <FILE>",
+    ] {
+        let given = option.replace("<FILE>", "b.vtu").replace("<FORMAT>", "off");
+        let given = given.replace("<KIND>", "alpha").replace("<ALPHA>", "1");
+        let refusal = format!("cannot be used with '{option}'");
+        let reversed = format!("'{option}' cannot be used with '--diagnose <FILE>'");
+        let outcome = bench.run(&format!("bad.off --diagnose a.vtu {given}"));
+        assert_eq!(outcome.code, 2, "{given}: {}", outcome.stderr);
+        let is_named = outcome.stderr.contains(&refusal) || outcome.stderr.contains(&reversed);
+        assert!(is_named, "{given}: {}", outcome.stderr);
+    }
+    assert!(!bench.files().iter().any(|name| name == "a.vtu"));
 }
 
 /// A domain is meshed to what its facets enclose, and every format has its parts.

@@ -339,6 +339,7 @@ static int use_facets(const struct job *job, nm_mesh *mesh) {
          run_within(mesh, NM_EXTENT_BOUNDARY, job->interior, NM_CROSSINGS_REFUSE) && measure(mesh) &&
          export(mesh, NM_FORMAT_VTU) && export(mesh, NM_FORMAT_TETGEN_NODE) &&
          export(mesh, NM_FORMAT_MEDIT) && export(mesh, NM_FORMAT_GMSH) &&
+         export(mesh, NM_FORMAT_PLY) && export(mesh, NM_FORMAT_STL) &&
          succeeded(nm_mesh_set_triangles(mesh, 12, triangles, markers), "triangles") &&
          run_within(mesh, NM_EXTENT_ALL, NM_INTERIOR_SEEDS, NM_CROSSINGS_REFUSE) && measure(mesh);
 }

@@ -328,7 +328,7 @@ enum nm_format
     NM_FORMAT_OFF = 5,
     /**
      * Polygon file format (.ply): the triangles of a planar mesh, the boundary of one in dimension
-     * 3.
+     * 3, where facets are given with their markers.
      */
     NM_FORMAT_PLY = 6,
     /**
@@ -372,8 +372,9 @@ enum nm_format
      */
     NM_FORMAT_SMESH = 15,
     /**
-     * Stereolithography's triangles, as text or binary data, read only (.stl). Equal corners are
-     * one point; the marker of a triangle is the number of its solid, from 1.
+     * Stereolithography's triangles (.stl), read as text or binary data. Equal corners are one
+     * point; the marker of a triangle is the number of its solid, from 1. Of a mesh of dimension 3
+     * the boundary is written, as binary data with coordinates of single precision.
      */
     NM_FORMAT_STL = 16,
     /**

@@ -35,7 +35,8 @@ pub struct Arguments {
 
     /// File for the mesh; its extension names the format. "-" is standard output, with
     /// --output-format; the summary then goes to standard error. Without it only the summary is
-    /// made
+    /// made. Of a mesh in 3D .ply and .stl have the boundary; the numbers of .stl have single
+    /// precision
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 

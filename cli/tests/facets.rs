@@ -165,6 +165,31 @@ fn a_surface_is_meshed_to_what_it_encloses() {
     );
 }
 
+/// STL and PLY have the boundary of a part, PLY with the markers of its facets; both are surfaces
+/// that are read again.
+#[test]
+fn boundaries_of_parts_are_surfaces_again() {
+    let bench = Workbench::new("facets_surfaces");
+    bench.write("pyramid.poly", &pyramid());
+    for name in ["a.stl", "a.ply"] {
+        bench.run(&format!("pyramid.poly -q -o {name}")).assert_success();
+        let outcome = bench.run(&format!("{name} --diagnose faults.vtu"));
+        outcome.assert_success();
+        for words in [
+            "5 points, 6 triangles in ",
+            "edges       0 edges where one triangle ends",
+            "0 edges of two triangles that are turned round",
+            "0 triangles with the vertices of an earlier one",
+        ] {
+            assert!(outcome.stdout.contains(words), "{name}: {}", outcome.stdout);
+        }
+        bench.run(&format!("{name} -q -o again.node")).assert_success();
+        let face = bench.read("again.face");
+        let of_base = face.lines().filter(|line| line.ends_with(" 9")).count();
+        assert_eq!(of_base, if name == "a.ply" { 2 } else { 0 }, "{face}");
+    }
+}
+
 /// Faults of a file's content are told from a file that is none of its format.
 #[test]
 fn what_is_wrong_with_facets_is_named() {

@@ -165,6 +165,22 @@ fn a_surface_is_meshed_to_what_it_encloses() {
     );
 }
 
+/// Options that do not go with the facets of a part are refused by name.
+#[test]
+fn options_that_do_not_go_with_facets_are_named() {
+    let bench = Workbench::new("facets_options");
+    bench.write("cube.off", CUBE);
+    for (options, words) in [
+        ("--algorithm delaunay", "--algorithm delaunay goes neither with facets nor with a hull"),
+        ("--algorithm svr", "--algorithm svr goes neither with facets nor with a hull or box"),
+        ("--alpha-shape 1", "--alpha-shape goes neither with facets nor with a hull or box"),
+        ("--bound inf", "--bound is inf; with facets it must be 0, or go with --criterion"),
+        ("--distance-ratio 0.5 --min-dihedral 0", "is 0.5; it must be 0 with facets"),
+    ] {
+        bench.run(&format!("cube.off {options}")).assert_failure(2, &[words]);
+    }
+}
+
 /// STL and PLY have the boundary of a part, PLY with the markers of its facets; both are surfaces
 /// that are read again.
 #[test]

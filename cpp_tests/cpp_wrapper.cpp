@@ -402,6 +402,7 @@ void facets() {
     const std::vector<std::int32_t> markers = {1, 2, 3, 4, 5, 6};
     mesh.set_facets(sides, markers);
     CHECK(mesh.intersections().empty());
+    CHECK(mesh.odd_edges().empty());
     nm_region region = NM_REGION_INIT;
     region.label = 9;
     for (double& x : region.seed) x = 0.5;
@@ -482,9 +483,14 @@ void facets_in_need() {
     REQUIRE(found.size() == 1);
     CHECK(found[0].kind == NM_INTERSECTION_CROSS && found[0].first == 0 && found[0].second == 1);
     CHECK(found[0].first_feature == NM_FEATURE_FACET && found[0].struct_size == sizeof found[0]);
+    const std::vector<nm_odd_edge> edges = mesh.odd_edges();
+    REQUIRE(edges.size() == 6);
+    CHECK(edges[0].fault == NM_EDGE_OPEN && edges[0].inputs[0] == 0 && edges[0].inputs[1] == 3);
+    CHECK(edges[0].facets == 1 && edges[5].struct_size == sizeof edges[5]);
     expect_error(__LINE__, NM_INVALID_ARGUMENT, "cross", [&] { mesh.run(); });
     netmesh::mesh plane(2, generate("uniform", 2, 10).coordinates);
     expect_failure(__LINE__, NM_INVALID_ARGUMENT, "3D", plane.try_intersections());
+    expect_failure(__LINE__, NM_INVALID_ARGUMENT, "3D", plane.try_odd_edges());
     expect_failure(__LINE__, NM_INVALID_ARGUMENT, "3D", plane.try_set_triangles(triangle));
 }
 

@@ -321,6 +321,7 @@ static int use_facets(const struct job *job, nm_mesh *mesh) {
   static const uint32_t segment[] = {8, 9};
   static uint32_t triangles[36];
   static nm_intersection found[1];
+  static nm_odd_edge edges[12];
   uint64_t needed = 1;
   nm_region region = NM_REGION_INIT;
   for (int i = 0; i < 6; ++i) {
@@ -334,9 +335,11 @@ static int use_facets(const struct job *job, nm_mesh *mesh) {
          succeeded(nm_mesh_set_segments(mesh, 1, segment, markers), "a segment in space") &&
          succeeded(nm_mesh_set_regions(mesh, 1, &region), "a region in space") &&
          succeeded(nm_mesh_get_intersections(mesh, found, 1, &needed), "intersections") &&
+         succeeded(nm_mesh_get_odd_edges(mesh, edges, 12, &needed), "edges of facets") &&
          run_within(mesh, NM_EXTENT_BOUNDARY, job->interior, NM_CROSSINGS_REFUSE) && measure(mesh) &&
          export(mesh, NM_FORMAT_VTU) && export(mesh, NM_FORMAT_TETGEN_NODE) &&
          export(mesh, NM_FORMAT_MEDIT) && export(mesh, NM_FORMAT_GMSH) &&
+         export(mesh, NM_FORMAT_PLY) && export(mesh, NM_FORMAT_STL) &&
          succeeded(nm_mesh_set_triangles(mesh, 11, triangles, markers), "triangles with a hole") &&
          succeeded(nm_mesh_close_holes(mesh, 3, NULL), "a hole") &&
          run_within(mesh, NM_EXTENT_ALL, NM_INTERIOR_SEEDS, NM_CROSSINGS_REFUSE) && measure(mesh);

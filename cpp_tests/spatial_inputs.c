@@ -285,10 +285,40 @@ static void holes_are_closed(void) {
     nm_mesh_free(mesh);
 }
 
+static void odd_edges_are_told(void) {
+    /* A tetrahedron whose second triangle is turned round, the last input equal to the first, and a
+     * triangle that stands on its first edge. */
+    static const double points[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0.5, -1, -1, 0, 0, 0};
+    static const uint32_t triangles[] = {0, 2, 1, 5, 3, 1, 1, 2, 3, 2, 0, 3, 5, 1, 4};
+    static const nm_edge_fault faults[] = {NM_EDGE_CROWDED, NM_EDGE_TURNED, NM_EDGE_OPEN, NM_EDGE_TURNED,
+                                           NM_EDGE_OPEN};
+    static const uint32_t ends[] = {0, 1, 0, 3, 0, 4, 1, 3, 1, 4}, counts[] = {3, 2, 1, 2, 1};
+    nm_mesh *mesh = NULL;
+    nm_odd_edge found[5] = {NM_ODD_EDGE_INIT};
+    uint64_t needed = 7;
+    int i;
+    REQUIRE(nm_mesh_create(3, 6, points, 0, &mesh) == NM_OK);
+    REQUIRE(nm_mesh_get_odd_edges(mesh, NULL, 0, &needed) == NM_OK && needed == 0);
+    REQUIRE(nm_mesh_set_triangles(mesh, 5, triangles, NULL) == NM_OK);
+    REQUIRE(nm_mesh_get_odd_edges(mesh, NULL, 0, &needed) == NM_OK && needed == 5);
+    REQUIRE(nm_mesh_get_odd_edges(mesh, found, 4, &needed) == NM_CAPACITY);
+    REQUIRE(nm_mesh_get_odd_edges(mesh, found, 5, NULL) == NM_OK);
+    for (i = 0; i < 5; ++i) {
+        REQUIRE(found[i].fault == faults[i] && found[i].facets == counts[i]);
+        REQUIRE(found[i].inputs[0] == ends[2 * i] && found[i].inputs[1] == ends[2 * i + 1]);
+        REQUIRE(found[i].struct_size == sizeof *found);
+    }
+    /* The tetrahedron alone is closed. */
+    REQUIRE(nm_mesh_set_triangles(mesh, 4, (const uint32_t[]){0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3}, NULL) == NM_OK);
+    REQUIRE(nm_mesh_get_odd_edges(mesh, found, 0, &needed) == NM_OK && needed == 0);
+    nm_mesh_free(mesh);
+}
+
 int main(void) {
     nm_mesh *mesh;
     holes_are_closed();
     crossings_are_told();
+    odd_edges_are_told();
     mesh = boxes();
     regions_are_between_facets(mesh);
     nm_mesh_free(mesh);

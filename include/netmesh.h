@@ -170,6 +170,8 @@
 #define NM_INTERSECTION_INIT                                                                       \
     { sizeof(nm_intersection), NM_INTERSECTION_CROSS, NM_FEATURE_FACET, 0, NM_FEATURE_FACET, 0,    \
       { 0, 0, 0 } }
+/** The initial value of an nm_odd_edge, of which the first in an array needs one. */
+#define NM_ODD_EDGE_INIT { sizeof(nm_odd_edge), NM_EDGE_OPEN, { 0, 0 }, 0 }
 /** The initial value of an nm_report. */
 #define NM_REPORT_INIT                                                                             \
     { sizeof(nm_report), 0, 0, 0, NM_VIOLATION_NONE, 0, 0, 0, { 0 } }
@@ -329,7 +331,7 @@ enum nm_format
     NM_FORMAT_OFF = 5,
     /**
      * Polygon file format (.ply): the triangles of a planar mesh, the boundary of one in dimension
-     * 3.
+     * 3, where facets are given with their markers.
      */
     NM_FORMAT_PLY = 6,
     /**
@@ -373,8 +375,9 @@ enum nm_format
      */
     NM_FORMAT_SMESH = 15,
     /**
-     * Stereolithography's triangles, as text or binary data, read only (.stl). Equal corners are
-     * one point; the marker of a triangle is the number of its solid, from 1.
+     * Stereolithography's triangles (.stl), read as text or binary data. Equal corners are one
+     * point; the marker of a triangle is the number of its solid, from 1. Of a mesh of dimension 3
+     * the boundary is written, as binary data with coordinates of single precision.
      */
     NM_FORMAT_STL = 16,
     /**
@@ -917,6 +920,31 @@ enum nm_violation
 };
 #ifndef __cplusplus
 typedef int32_t nm_violation;
+#endif // __cplusplus
+
+/**
+ * Fault of an edge of nm_mesh_get_odd_edges.
+ */
+enum nm_edge_fault
+#ifdef __cplusplus
+  : int32_t
+#endif // __cplusplus
+ {
+    /**
+     * One facet ends there: the surface has a hole.
+     */
+    NM_EDGE_OPEN = 0,
+    /**
+     * Three or more facets meet there.
+     */
+    NM_EDGE_CROWDED = 1,
+    /**
+     * Two facets run through it in one direction: their normals point to different sides.
+     */
+    NM_EDGE_TURNED = 2,
+};
+#ifndef __cplusplus
+typedef int32_t nm_edge_fault;
 #endif // __cplusplus
 
 /**
@@ -1703,6 +1731,31 @@ typedef struct nm_closed_holes {
      */
     uint64_t open_edges;
 } nm_closed_holes;
+
+/**
+ * Edge of facets that is not one of two that run through it in opposite directions; an element of
+ * the array that nm_mesh_get_odd_edges fills.
+ */
+typedef struct nm_odd_edge {
+    /**
+     * Set by the caller to sizeof(nm_odd_edge) in the first element of an array, whose elements
+     * stand as many bytes apart; the function sets it in the others.
+     */
+    uint32_t struct_size;
+    /**
+     * The fault of the edge.
+     */
+    nm_edge_fault fault;
+    /**
+     * The inputs at its ends, the smaller number first; of equal inputs the first.
+     */
+    uint32_t inputs[2];
+    /**
+     * The number of facets that have the edge; a facet that runs through it several times counts
+     * as often.
+     */
+    uint32_t facets;
+} nm_odd_edge;
 
 /**
  * Quality of a mesh. "Corners" are those of Voronoi cells. The aspect of a Voronoi cell is the
@@ -3322,6 +3375,31 @@ NM_NODISCARD NM_API
 nm_status nm_mesh_close_holes(struct nm_mesh *mesh,
                               uint32_t max_edges,
                               struct nm_closed_holes *closed);
+
+/**
+ * Writes all edges of the facets that the mesh was given last (nm_mesh_set_facets,
+ * nm_mesh_set_triangles) that are not one of two facets which run through them in opposite
+ * directions: where one facet ends, where three or more meet, and where two are turned round. By
+ * their inputs. None: the facets are closed surfaces, oriented alike; with an empty
+ * nm_mesh_get_intersections as well they enclose what nm_options.interior asks for. Triangles
+ * without an area have no edges, and equal points are one. 3D only. Before nm_run, after it, and
+ * after it has failed.
+ *
+ * buf[0].struct_size: set by the caller, to sizeof(nm_odd_edge) or what it was in an earlier
+ * version; the elements stand as many bytes apart. It is read only if the array has elements.
+ * capacity and *needed count elements.
+ *
+ * Array getter, see the top of this file. The first call takes the time: O(n log n) for n inputs
+ * of facets. The handle keeps the array until something is set or nm_run succeeds.
+ *
+ * Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT (a mesh that is not 3D, buf
+ * not aligned, buf[0].struct_size), NM_OUT_OF_MEMORY, NM_STATE (nm_run at work, poisoned).
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_odd_edges(const struct nm_mesh *mesh,
+                                struct nm_odd_edge *buf,
+                                uint64_t capacity,
+                                uint64_t *needed);
 
 /**
  * Measures the quality of the mesh. O(vertices + simplices).

@@ -123,19 +123,36 @@ fn default_of(dim: usize, name: Name, options: &Options, range: &Bounds) -> f64 
     }
 }
 
-/// Returns the options of a mesh with segments. There the bound is on angles: the cell of a vertex
-/// on a boundary reaches beyond that.
+/// Features that a mesh conforms to, as messages name them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Features {
+    Segments,
+    Facets,
+}
+
+impl Features {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Segments => "segments",
+            Self::Facets => "facets",
+        }
+    }
+}
+
+/// Returns the options of a mesh that conforms to segments or facets. There the bound is on angles:
+/// the cell of a vertex on a boundary reaches beyond that.
 ///
 /// # Errors
 /// `InvalidArgument`, naming the option, its value and the rule.
-pub fn with_segments(options: &Options) -> Result<Options> {
+pub fn conforming(options: &Options, features: Features) -> Result<Options> {
+    let features = features.name();
     let Options { algorithm, criterion, quality_bound, distance_ratio, extent, .. } = *options;
     let has_frame = matches!(extent, Extent::Hull | Extent::Box);
     let extent = Choice::Extent(extent);
     if algorithm != Algorithm::Netmesh {
         return refuse(say!(
             Choice::Algorithm(algorithm),
-            " goes neither with segments nor with a hull or box; these take ",
+            " goes neither with {features} nor with a hull or box; these take ",
             Choice::Algorithm(Algorithm::Netmesh)
         ));
     }
@@ -151,7 +168,7 @@ pub fn with_segments(options: &Options) -> Result<Options> {
                 other
             ),
             false => {
-                say!(name, " is {quality_bound}; with segments it must be 0, or go with ", other)
+                say!(name, " is {quality_bound}; with {features} it must be 0, or go with ", other)
             }
         });
     }
@@ -159,7 +176,7 @@ pub fn with_segments(options: &Options) -> Result<Options> {
         let (name, must) = (Name::DistanceRatio, "it must be 0 with");
         return refuse(match has_frame {
             true => say!(name, " is {distance_ratio}; {must} ", extent),
-            false => say!(name, " is {distance_ratio}; {must} segments"),
+            false => say!(name, " is {distance_ratio}; {must} {features}"),
         });
     }
     Ok(Options { criterion: Criterion::RadiusEdge, ..options.clone() })
@@ -170,8 +187,8 @@ pub fn with_segments(options: &Options) -> Result<Options> {
 ///
 /// # Errors
 /// `InvalidArgument`, naming the option, its value and the rule.
-pub fn in_space(options: &Options) -> Result<Parameters> {
-    let options = with_segments(options)?;
+pub fn in_space(options: &Options, features: Features) -> Result<Parameters> {
+    let options = conforming(options, features)?;
     let quality_bound = options.quality_bound;
     if quality_bound != f64::INFINITY {
         return Parameters::resolve(3, &options);

@@ -159,6 +159,9 @@ impl Mesh {
         let dim = self.inputs().dim();
         match extent {
             Extent::Auto | Extent::All => Ok(()),
+            Extent::Boundary if dim == 3 => {
+                refuse(say!(Choice::Extent(extent), " needs facets; the mesh has none"))
+            }
             _ if dim != 2 => refuse(say!(
                 Choice::Extent(extent),
                 " is for 2D and 3D; the mesh has dimension {dim}"
@@ -176,11 +179,17 @@ impl Mesh {
         if self.regions().is_empty() {
             return Ok(());
         }
+        let lacks = self.word_for_features();
         let message = say!(
             Name::Seed(0),
-            " is in no region: the mesh has no segments; set them first, or another extent"
+            " is in no region: the mesh has no {lacks}; set them first, or another extent"
         );
         Err(Error::new(ErrorKind::InvalidArgument, message))
+    }
+
+    /// Returns the word for what bounds regions in the dimension of the mesh.
+    fn word_for_features(&self) -> &'static str {
+        if self.inputs().dim() == 3 { "facets" } else { "segments" }
     }
 
     fn check_interior(&self, extent: Extent, interior: Interior) -> Result<()> {
@@ -189,7 +198,8 @@ impl Mesh {
         match extent {
             _ if matches!(interior, Interior::Auto | Interior::Seeds) => Ok(()),
             Extent::Auto if self.segments().count() == 0 => {
-                refuse(say!(rule, " needs segments; the mesh has none"))
+                let needed = self.word_for_features();
+                refuse(say!(rule, " needs {needed}; the mesh has none"))
             }
             Extent::Auto => Ok(()),
             Extent::Boundary => check_closed(self.inputs(), self.segments(), interior),

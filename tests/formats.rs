@@ -315,7 +315,7 @@ proptest! {
 
 #[test]
 fn formats_that_cannot_be_written_say_so() {
-    for name in ["a.poly", "a.smesh", "a.geojson", "a.wkt", "a.stl", "a.obj", "a", "a.json"] {
+    for name in ["a.poly", "a.smesh", "a.geojson", "a.wkt", "a.obj", "a", "a.json"] {
         let path = Path::new(name);
         let errors = [
             write_file(&two_points(), path, Format::Auto).unwrap_err(),
@@ -325,13 +325,13 @@ fn formats_that_cannot_be_written_say_so() {
         for error in errors {
             assert_eq!(error.kind(), ErrorKind::InvalidArgument, "{error}");
             assert!(error.message().starts_with(&format!("{name}: ")), "{error}");
-            let offered = [".poly,", ".smesh,", ".geojson,", ".wkt,", ".stl,", ".obj,", ".wkt or"];
+            let offered = [".poly,", ".smesh,", ".geojson,", ".wkt,", ".obj,", ".wkt or"];
             assert!(offered.iter().all(|offered| !error.message().contains(offered)), "{error}");
         }
         assert!(!path.exists());
     }
     assert_eq!(Format::Off.resolve_output(Path::new("a.poly")), Ok(Format::Off));
-    let read_only = [Format::Smesh, Format::Stl, Format::Obj, Format::Geojson, Format::Wkt];
+    let read_only = [Format::Smesh, Format::Obj, Format::Geojson, Format::Wkt];
     for format in read_only.into_iter().chain([Format::Poly]) {
         let error = write(&two_points(), format, &mut Vec::new()).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::InvalidArgument);
@@ -443,9 +443,12 @@ fn before_a_run_mesh_formats_are_refused_and_nothing_is_created() {
         assert_eq!(error.kind(), ErrorKind::State, "{error}");
         assert!(error.message().ends_with("run first, or write XYZ, CSV or NumPy"), "{error}");
     }
+    let solid = Mesh::new(3, 4, &[0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.], 0).unwrap();
+    let error = write_file(&solid, &directory.join("a.stl"), Format::Auto).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::State, "{error}");
     // The dimension is wrong before and after a run.
     let mesh = Mesh::new(4, 2, &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0], 0).unwrap();
-    for name in ["a.vtu", "a.msh", "a.mesh", "a.ply"] {
+    for name in ["a.vtu", "a.msh", "a.mesh", "a.ply", "a.stl"] {
         let error = write_file(&mesh, &directory.join(name), Format::Auto).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::InvalidArgument, "{error}");
         assert!(error.message().contains("not 4; use OFF (nOFF) or TetGen"), "{error}");

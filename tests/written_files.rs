@@ -56,7 +56,7 @@ fn the_same_mesh_makes_the_same_bytes() {
         for format in WRITABLE {
             let (mut first, mut second) = (Vec::new(), Vec::new());
             let written = write(&one, format, &mut first);
-            if dim > 3 && written.is_err() {
+            if (dim > 3 || format == Format::Stl && dim != 3) && written.is_err() {
                 continue;
             }
             written.unwrap();
@@ -71,13 +71,14 @@ fn the_same_mesh_makes_the_same_bytes() {
     }
 }
 
-const WRITABLE: [Format; 11] = [
+const WRITABLE: [Format; 12] = [
     Format::Vtu,
     Format::TetgenNode,
     Format::Gmsh,
     Format::Medit,
     Format::Off,
     Format::Ply,
+    Format::Stl,
     Format::Xyz,
     Format::Csv,
     Format::Npy,

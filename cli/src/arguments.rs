@@ -35,7 +35,8 @@ pub struct Arguments {
 
     /// File for the mesh; its extension names the format. "-" is standard output, with
     /// --output-format; the summary then goes to standard error. Without it only the summary is
-    /// made
+    /// made. Of a mesh in 3D .ply and .stl have the boundary; the numbers of .stl have single
+    /// precision
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 
@@ -106,9 +107,12 @@ pub struct Arguments {
     /// Make no mesh, but tell what keeps the facets of the input from being a closed surface that a
     /// mesh can conform to: edges that are open, of three or more facets or turned round, facets
     /// without an area, and all pairs that cross, touch or overlap. They are the cells of FILE, in
-    /// VTK's format .vtu
+    /// VTK's format, and its name ends with .vtu
     #[arg(long, value_name = "FILE")]
-    #[arg(conflicts_with_all = ["output", "json", "validate", "stats", "histogram", "quiet"])]
+    #[arg(conflicts_with_all = [
+        "output", "output_format", "attributes", "filtration", "alpha_shape", "finish", "hierarchical",
+        "json", "validate", "stats", "histogram", "quiet", "sizes", "background"
+    ])]
     pub diagnose: Option<PathBuf>,
 
     /// Close holes of the surface that have at most so many edges, from 3 to 1000, with triangles

@@ -49,7 +49,8 @@ pub enum FormatName {
     Poly,
     /// TetGen's points, facets and regions, a line for each facet, read only (.smesh)
     Smesh,
-    /// Triangles of STL, as text or binary data, read only (.stl)
+    /// Triangles of STL, read as text or binary data; in 3D the boundary is written, with numbers of
+    /// single precision (.stl)
     Stl,
     /// Points, polygons and lines of OBJ, read only (.obj)
     Obj,
@@ -96,13 +97,14 @@ pub struct WritableFormat(pub FormatName);
 
 impl ValueEnum for WritableFormat {
     fn value_variants<'a>() -> &'a [Self] {
-        const WRITABLE: [WritableFormat; 11] = [
+        const WRITABLE: [WritableFormat; 12] = [
             WritableFormat(FormatName::Vtu),
             WritableFormat(FormatName::Tetgen),
             WritableFormat(FormatName::Gmsh),
             WritableFormat(FormatName::Medit),
             WritableFormat(FormatName::Off),
             WritableFormat(FormatName::Ply),
+            WritableFormat(FormatName::Stl),
             WritableFormat(FormatName::Xyz),
             WritableFormat(FormatName::Csv),
             WritableFormat(FormatName::Npy),

@@ -8,11 +8,23 @@ use crate::standard;
 use netmesh::io::write_diagnosis_file;
 use netmesh::mesh::Diagnosis;
 use netmesh::{EdgeFault, Feature, HoleFilling, Intersection, IntersectionKind, Mesh};
+use std::ffi::OsStr;
 use std::fmt::Write;
 use std::path::Path;
 
 /// Number of pairs that the text names.
 const MOST: usize = 10;
+
+/// Refuses a path whose extension is not that of the format, and standard output.
+pub fn require(path: &Path) -> Result<(), Failure> {
+    let is_vtu = |extension: &OsStr| extension.eq_ignore_ascii_case("vtu");
+    let rule = match path.extension().is_some_and(is_vtu) {
+        _ if standard::is_meant(path) => "--diagnose needs the name of a file that ends with .vtu",
+        true => return Ok(()),
+        false => "--diagnose writes VTU; the name of its file must end with .vtu",
+    };
+    Err(Failure::new(ExitCode::Usage, format!("{}: {rule}", path.display())))
+}
 
 /// Returns the text of what was found in a mesh, and writes it into a file.
 pub fn text(

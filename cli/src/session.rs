@@ -109,9 +109,8 @@ fn check_paths(arguments: &Arguments) -> Result<(), Failure> {
     for path in arguments.json.iter().chain(&arguments.diagnose) {
         output::require_place(path)?;
     }
-    if let Some(path) = arguments.diagnose.as_deref().filter(|path| standard::is_meant(path)) {
-        let message = format!("{}: --diagnose needs the name of a file", path.display());
-        return Err(Failure::new(ExitCode::Usage, message));
+    if let Some(path) = &arguments.diagnose {
+        diagnosis::require(path)?;
     }
     same_file::require_distinct(arguments)
 }

@@ -80,7 +80,7 @@ fn every_format_is_in_the_document() {
     let help = String::from_utf8_lossy(&help.stdout).into_owned();
     // Formats that can be read, and those that can be written.
     let mut names: Vec<&str> = Vec::new();
-    for (option, count) in [("--input-format <FORMAT>", 14), ("--output-format <FORMAT>", 11)] {
+    for (option, count) in [("--input-format <FORMAT>", 14), ("--output-format <FORMAT>", 12)] {
         let (_, formats) = help.split_once(option).expect("the option");
         let listed = formats
             .lines()

@@ -91,6 +91,14 @@ fn surfaces_are_diagnosed() {
     ] {
         assert!(outcome.stdout.contains(words), "no {words:?} in {}", outcome.stdout);
     }
+    bench.write(
+        "polygons.off",
+        "OFF\n5 3 0\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n4 0 0\n4 0 1 2 3\n4 2 4 0 3\n3 0 1 2\n",
+    );
+    let outcome = bench.run("polygons.off --diagnose POLYGONS.VTU");
+    outcome.assert_success();
+    let words = "            1 facet with the vertices of an earlier one\n";
+    assert!(outcome.stdout.contains(words), "{}", outcome.stdout);
     let file = String::from_utf8_lossy(&bench.bytes("bad.vtu")).into_owned();
     assert!(file.contains(r#"<Piece NumberOfPoints="10" "#), "{file}");
     let outcome = bench.run("cube.off --diagnose none.vtu");
@@ -98,12 +106,35 @@ fn surfaces_are_diagnosed() {
     assert!(outcome.stdout.contains("edges       0 edges where one facet ends"));
     for (line, code, words) in [
         ("bad.off --diagnose -", 2, "--diagnose needs the name of a file"),
-        ("bad.off --diagnose bad.off", 2, "this is the input"),
+        ("bad.off --diagnose bad.off", 2, "bad.off: --diagnose writes VTU; the name of its file"),
+        ("bad.off --diagnose faults", 2, "its file must end with .vtu"),
         ("bad.off --points --diagnose a.vtu", 2, "has no facets; --diagnose is for surfaces"),
-        ("bad.off --diagnose a.vtu -o b.vtu", 2, "cannot be used with"),
     ] {
         bench.run(line).assert_failure(code, &[words]);
     }
+    for option in [
+        "--output <FILE>",
+        "--output-format <FORMAT>",
+        "--json <FILE>",
+        "--validate",
+        "--stats",
+        "--histogram",
+        "--filtration <KIND>",
+        "--alpha-shape <ALPHA>",
+        "--finish",
+        "--sizes <FILE>",
+        "--background <FILE>",
+    ] {
+        let given = option.replace("<FILE>", "b.vtu").replace("<FORMAT>", "off");
+        let given = given.replace("<KIND>", "alpha").replace("<ALPHA>", "1");
+        let refusal = format!("cannot be used with '{option}'");
+        let reversed = format!("'{option}' cannot be used with '--diagnose <FILE>'");
+        let outcome = bench.run(&format!("bad.off --diagnose a.vtu {given}"));
+        assert_eq!(outcome.code, 2, "{given}: {}", outcome.stderr);
+        let is_named = outcome.stderr.contains(&refusal) || outcome.stderr.contains(&reversed);
+        assert!(is_named, "{given}: {}", outcome.stderr);
+    }
+    assert!(!bench.files().iter().any(|name| name == "a.vtu"));
 }
 
 /// Holes are closed where that is asked for, in what is meshed and in what is diagnosed.
@@ -170,6 +201,47 @@ fn a_surface_is_meshed_to_what_it_encloses() {
             "pyramid.poly"
         ]
     );
+}
+
+/// Options that do not go with the facets of a part are refused by name.
+#[test]
+fn options_that_do_not_go_with_facets_are_named() {
+    let bench = Workbench::new("facets_options");
+    bench.write("cube.off", CUBE);
+    for (options, words) in [
+        ("--algorithm delaunay", "--algorithm delaunay goes neither with facets nor with a hull"),
+        ("--algorithm svr", "--algorithm svr goes neither with facets nor with a hull or box"),
+        ("--alpha-shape 1", "--alpha-shape goes neither with facets nor with a hull or box"),
+        ("--bound inf", "--bound is inf; with facets it must be 0, or go with --criterion"),
+        ("--distance-ratio 0.5 --min-dihedral 0", "is 0.5; it must be 0 with facets"),
+    ] {
+        bench.run(&format!("cube.off {options}")).assert_failure(2, &[words]);
+    }
+}
+
+/// STL and PLY have the boundary of a part, PLY with the markers of its facets; both are surfaces
+/// that are read again.
+#[test]
+fn boundaries_of_parts_are_surfaces_again() {
+    let bench = Workbench::new("facets_surfaces");
+    bench.write("pyramid.poly", &pyramid());
+    for name in ["a.stl", "a.ply"] {
+        bench.run(&format!("pyramid.poly -q -o {name}")).assert_success();
+        let outcome = bench.run(&format!("{name} --diagnose faults.vtu"));
+        outcome.assert_success();
+        for words in [
+            "5 points, 6 triangles in ",
+            "edges       0 edges where one triangle ends",
+            "0 edges of two triangles that are turned round",
+            "0 triangles with the vertices of an earlier one",
+        ] {
+            assert!(outcome.stdout.contains(words), "{name}: {}", outcome.stdout);
+        }
+        bench.run(&format!("{name} -q -o again.node")).assert_success();
+        let face = bench.read("again.face");
+        let of_base = face.lines().filter(|line| line.ends_with(" 9")).count();
+        assert_eq!(of_base, if name == "a.ply" { 2 } else { 0 }, "{face}");
+    }
 }
 
 /// Faults of a file's content are told from a file that is none of its format.

@@ -222,13 +222,15 @@ fn only_formats_that_can_be_written_are_offered() {
     let outcome = bench.run("points.xyz -o mesh.gltf");
     outcome.assert_failure(2, &["mesh.gltf", "names no format that can be written"]);
     for outcome in [outcome, bench.run("points.xyz -o - --output-format gltf")] {
-        for read_only in ["poly", "stl", "obj", "geojson", "wkt"] {
+        for read_only in ["poly", "obj", "geojson", "wkt"] {
             assert!(!outcome.stderr.contains(read_only), "{}", outcome.stderr);
         }
     }
-    for name in ["mesh.poly", "mesh.stl", "mesh.obj", "mesh.geojson", "mesh.wkt"] {
+    for name in ["mesh.poly", "mesh.obj", "mesh.geojson", "mesh.wkt"] {
         bench.run(&format!("points.xyz -o {name}")).assert_failure(2, &[name, "only read"]);
     }
+    let refusal = "mesh.stl: STL holds the boundary of meshes of dimension 3, not 2; use PLY";
+    bench.run("points.xyz -o mesh.stl").assert_failure(2, &[refusal]);
     let attributes = bench.run("points.xyz --columns 1,2 --attributes 1 -o mesh.what");
     attributes.assert_failure(2, &["names no format that can be written"]);
     assert_eq!(bench.files(), ["points.xyz"]);

@@ -98,13 +98,13 @@ public:
 
     // Returns all pairs of facets and segments in 3D that meet in more than they share.
     result<std::vector<nm_intersection>> try_intersections() const {
-        return fetched<nm_intersection>(
-            [this](nm_intersection *buf, std::uint64_t capacity, std::uint64_t *needed) {
-                if (buf != nullptr) {
-                    buf->struct_size = sizeof *buf;
-                }
-                return nm_mesh_get_intersections(handle_, buf, capacity, needed);
-            });
+        return structs<nm_intersection>(nm_mesh_get_intersections);
+    }
+
+    // Returns all edges of facets in 3D that are not one of two facets which run through them in
+    // opposite directions.
+    result<std::vector<nm_odd_edge>> try_odd_edges() const {
+        return structs<nm_odd_edge>(nm_mesh_get_odd_edges);
     }
 
     // Sets the regions between segments in 2D or facets in 3D; each is NM_REGION_INIT before its
@@ -173,11 +173,24 @@ public:
     std::vector<std::uint32_t> facet_parents() const { return try_facet_parents().value(); }
     table<std::uint32_t> facet_simplices() const { return try_facet_simplices().value(); }
     std::vector<nm_intersection> intersections() const { return try_intersections().value(); }
+    std::vector<nm_odd_edge> odd_edges() const { return try_odd_edges().value(); }
     std::vector<std::int32_t> simplex_regions() const { return try_simplex_regions().value(); }
 #endif
 
 protected:
     explicit boundary(nm_mesh *handle) noexcept : queries(handle) {}
+
+private:
+    // Returns an array of structs, each of which has the size that the first one tells.
+    template <class T>
+    result<std::vector<T>> structs(getter<T> fetch) const {
+        return fetched<T>([&](T *buf, std::uint64_t capacity, std::uint64_t *needed) {
+            if (buf != nullptr) {
+                buf->struct_size = sizeof *buf;
+            }
+            return fetch(handle_, buf, capacity, needed);
+        });
+    }
 };
 
 }  // namespace detail

@@ -22,7 +22,7 @@ from ._errors import (
     OutOfMemoryError,
     StateError,
 )
-from ._facets import close_holes, intersections
+from ._facets import close_holes, intersections, odd_edges
 from ._filtration import Filtration
 from ._interpolator import LinearNDInterpolator
 from ._mesh import Mesh, mesh
@@ -33,6 +33,7 @@ from ._results import (
     CSR,
     Facets,
     Intersection,
+    OddEdge,
     Placement,
     Quality,
     Report,
@@ -66,6 +67,7 @@ __all__ = [
     "LinearNDInterpolator",
     "Mesh",
     "NonFiniteError",
+    "OddEdge",
     "OutOfMemoryError",
     "Part",
     "Placement",
@@ -81,6 +83,7 @@ __all__ = [
     "close_holes",
     "intersections",
     "mesh",
+    "odd_edges",
 ]
 
 # Users see the exceptions where they import them from.

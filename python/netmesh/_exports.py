@@ -26,7 +26,7 @@ class Exports(Arrays):
         path : str or path
         format : str
             'auto' goes by the extension; or 'vtu', 'tetgen_node', 'gmsh', 'medit', 'off', 'ply',
-            'xyz', 'csv', 'npy', 'voronoi_json', 'domains_json'.
+            'stl', 'xyz', 'csv', 'npy', 'voronoi_json', 'domains_json'.
         attributes : dict of str to array_like of float, shape (vertices, ...), optional
             Values at the vertices by name, for 'vtu', 'tetgen_node', 'gmsh', 'ply', 'csv' and 'npy',
             where they make a structured array; `extend_values` makes them of values at the inputs.

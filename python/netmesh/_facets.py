@@ -1,4 +1,4 @@
-"""Facets in the form that the library takes, pairs that meet in more than they may, and holes."""
+"""Facets in the form that the library takes, pairs that meet in more than they may, odd edges, holes."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ from ._boundary import boundary_of
 from ._errors import InvalidArgumentError
 from ._netmesh import close_holes as _close_holes
 from ._netmesh import intersections as _intersections
-from ._results import Intersection
+from ._netmesh import odd_edges as _odd_edges
+from ._results import Intersection, OddEdge
 
 #: Rule that refused facets break.
 _RULE = "it must be an array of triangles, or a sequence of polygons or of lists of loops"
@@ -139,11 +140,51 @@ def intersections(points: Any, facets: Any = None, segments: Any = None) -> list
     >>> found[0].point.tolist()
     [1.0, 1.0, 0.0]
     """
+    found = _intersections(*_points_and_boundary(points, facets, segments))
+    return [Intersection(kind, first, second, np.fromiter(x, np.float64)) for kind, first, second, x in found]
+
+
+def odd_edges(points: Any, facets: Any = None) -> list[OddEdge]:
+    """Find all edges of facets in space that are not one of two that run through them both ways.
+
+    A closed surface has none if its facets are oriented alike: each edge is between two facets, one of
+    which runs through it one way and the other one the other way. Triangles without an area have no
+    edges; equal points are one.
+
+    Parameters
+    ----------
+    points : array_like of float, shape (n, 3), or a surface
+    facets : optional
+        Triangles, polygons or lists of loops, as those of `mesh`.
+
+    Returns
+    -------
+    list of OddEdge
+        By their ends.
+
+    Examples
+    --------
+    >>> import netmesh
+    >>> points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+    >>> netmesh.odd_edges(points, [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
+    []
+    >>> for edge in netmesh.odd_edges(points, [[0, 2, 1], [0, 3, 1], [1, 2, 3]]):
+    ...     print(edge.fault, edge.ends, edge.facets)
+    turned (0, 1) 2
+    open (0, 2) 1
+    open (0, 3) 1
+    turned (1, 3) 2
+    open (2, 3) 1
+    """
+    found = _odd_edges(*_points_and_boundary(points, facets, None))
+    return [OddEdge(fault, tuple(ends), facets) for fault, ends, facets in found]
+
+
+def _points_and_boundary(points: Any, facets: Any, segments: Any) -> tuple[np.ndarray, tuple]:
     points, facets = points_and_facets(points, facets)
     rows = point_rows(points)
     boundary = boundary_of(segments, None, None, None, rows.shape[1])
-    found = _intersections(rows, (*boundary, facets_of(facets, None)))
-    return [Intersection(kind, first, second, np.fromiter(x, np.float64)) for kind, first, second, x in found]
+    return rows, (*boundary, facets_of(facets, None))
 
 
 def close_holes(points: Any, facets: Any = None, max_edges: int = 100) -> np.ndarray:
@@ -181,10 +222,8 @@ def close_holes(points: Any, facets: Any = None, max_edges: int = 100) -> np.nda
     >>> round(mesh.volumes.sum() * 6, 12)
     1.0
     """
-    points, facets = points_and_facets(points, facets)
-    rows = point_rows(points)
-    boundary = boundary_of(None, None, None, None, rows.shape[1])
+    rows, boundary = _points_and_boundary(points, facets, None)
     if not isinstance(max_edges, numbers.Integral) or not 3 <= max_edges <= 1000:
         raise InvalidArgumentError(f"max_edges is {max_edges!r}; it must be a whole number from 3 to 1000")
-    found = _close_holes(rows, (*boundary, facets_of(facets, None)), int(max_edges))
+    found = _close_holes(rows, boundary, int(max_edges))
     return np.array(found, np.int32).reshape(-1, 3)

@@ -48,6 +48,18 @@ class Intersection(NamedTuple):
     point: np.ndarray
 
 
+class OddEdge(NamedTuple):
+    """Edge of facets that is not between two of them: of `netmesh.odd_edges`."""
+
+    #: 'open': one facet ends there; 'crowded': three or more meet there; 'turned': two run through it in
+    #: one direction, so that their normals point to different sides.
+    fault: str
+    #: The points at its ends, the smaller number first; of equal points the first.
+    ends: Tuple[int, int]
+    #: The number of facets that have the edge.
+    facets: int
+
+
 class CSR(NamedTuple):
     """Lists of ids, one for each of several things: list i is ``indices[indptr[i]:indptr[i+1]]``."""
 

@@ -2,7 +2,7 @@
 
 use crate::core::mesh_of;
 use crate::errors::{abandonable, exception_with, in_default_environment, invalid};
-use netmesh::mesh::{Feature, IntersectionKind};
+use netmesh::mesh::{EdgeFault, Feature, IntersectionKind};
 use netmesh::{Mesh, Region};
 use numpy::{PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
@@ -144,4 +144,25 @@ pub fn intersections(
         (kind(one.kind), feature(one.first), feature(one.second), one.point)
     };
     Ok(found.iter().map(one).collect())
+}
+
+/// Fault of an edge, the inputs at its ends, and the number of facets that have it.
+type ToldEdge = (&'static str, [u32; 2], u32);
+
+/// Returns the fault, the ends and the number of facets of each edge that is not between two.
+#[pyfunction]
+pub fn odd_edges(
+    py: Python<'_>,
+    points: PyReadonlyArray2<'_, f64>,
+    boundary: Boundary<'_>,
+) -> PyResult<Vec<ToldEdge>> {
+    let mut mesh = mesh_of(py, &points)?;
+    set_boundary(py, &mut mesh, &boundary)?;
+    let found = abandonable(py, move || mesh.odd_edges())?;
+    let fault = |fault| match fault {
+        EdgeFault::Open => "open",
+        EdgeFault::Crowded => "crowded",
+        EdgeFault::Turned => "turned",
+    };
+    Ok(found.iter().map(|edge| (fault(edge.fault), edge.inputs, edge.facets)).collect())
 }

@@ -28,6 +28,7 @@ impl Core {
             ("medit", Format::Medit),
             ("off", Format::Off),
             ("ply", Format::Ply),
+            ("stl", Format::Stl),
             ("xyz", Format::Xyz),
             ("csv", Format::Csv),
             ("npy", Format::Npy),

@@ -1,4 +1,4 @@
-"""Facets in space, and pairs of them that meet in more than they may."""
+"""Facets in space, pairs of them that meet in more than they may, and edges that are not between two."""
 
 import pickle
 from types import SimpleNamespace
@@ -131,6 +131,22 @@ def test_holes_of_no_size_are_refused(edges):
     assert str(error.value) == f"max_edges is {edges!r}; it must be a whole number from 3 to 1000"
 
 
+def test_odd_edges_are_found():
+    open_box = [TRIANGLES[0][::-1], *TRIANGLES[1:-1]]
+    found = netmesh.odd_edges(CUBE, open_box)
+    missing, turned = TRIANGLES[-1], TRIANGLES[0]
+    edges_of = lambda corners: {tuple(sorted((corners[k - 1], corners[k]))) for k in range(3)}
+    assert {one.ends for one in found if one.fault == "open"} == edges_of(missing)
+    assert {one.ends for one in found if one.fault == "turned"} == edges_of(turned) - edges_of(missing)
+    assert found == sorted(found, key=lambda one: one.ends)
+    assert all(type(one.ends) is tuple and one.facets == 1 + (one.fault == "turned") for one in found)
+    crowded = netmesh.odd_edges([*CUBE, [2, 2, 2]], [*SIDES, [0, 1, 8]])
+    assert [(one.fault, one.ends, one.facets) for one in crowded if one.facets == 3] == [("crowded", (0, 1), 3)]
+    assert netmesh.odd_edges(CUBE, SIDES) == netmesh.odd_edges(CUBE, TRIANGLES) == netmesh.odd_edges(CUBE) == []
+    surface = SimpleNamespace(vertices=np.array(CROSSED), faces=[[0, 1, 2], [3, 4, 5]])
+    assert len(netmesh.odd_edges(surface)) == 6
+
+
 def test_what_crosses_is_refused():
     with pytest.raises(netmesh.InvalidArgumentError) as error:
         netmesh.mesh(CROSSED, facets=[[0, 1, 2], [3, 4, 5]])
@@ -177,6 +193,8 @@ def test_facets_are_for_space(dim):
             netmesh.mesh(points, facets=facets)
     with pytest.raises(netmesh.InvalidArgumentError, match="intersections are for 3D"):
         netmesh.intersections(points)
+    with pytest.raises(netmesh.InvalidArgumentError, match="edges of facets are for 3D"):
+        netmesh.odd_edges(points)
     with pytest.raises(netmesh.InvalidArgumentError, match=f"coplanar is 1; it must be 0 in {dim}D"):
         netmesh.mesh(points, coplanar=1.0)
 

@@ -199,6 +199,20 @@ pub enum nm_intersection_kind {
     NM_INTERSECTION_ZERO_AREA = 3,
 }
 
+/// Fault of an edge of nm_mesh_get_odd_edges.
+/// cbindgen:rename-all=none
+#[allow(non_camel_case_types)]
+#[repr(i32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum nm_edge_fault {
+    /// One facet ends there: the surface has a hole.
+    NM_EDGE_OPEN = 0,
+    /// Three or more facets meet there.
+    NM_EDGE_CROWDED = 1,
+    /// Two facets run through it in one direction: their normals point to different sides.
+    NM_EDGE_TURNED = 2,
+}
+
 /// Returns the byte of a placement at the boundary.
 pub(super) fn placement_byte(placement: Placement) -> u8 {
     let value = match placement {

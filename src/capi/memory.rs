@@ -191,6 +191,38 @@ pub unsafe fn copy_out<T>(
     Ok(())
 }
 
+/// Writes a struct for each value into the caller's array, whose structs have the size that the
+/// first one tells, or only says how many there are.
+///
+/// # Errors
+/// Errors of [`copy_out`]; `InvalidArgument` (a size).
+///
+/// # Safety
+/// `buf` is NULL or has room for `capacity` structs of that size; `needed` is NULL or writable.
+pub(super) unsafe fn copy_structs<T: Versioned, V>(
+    values: &[V],
+    encode: impl Fn(&V) -> T,
+    buf: *mut T,
+    capacity: u64,
+    needed: *mut u64,
+) -> Result<()> {
+    // SAFETY: nothing is written to `buf`, whose rules are those of `copy_out`.
+    unsafe { copy_out(buf, capacity, needed, values.len(), std::iter::empty())? };
+    if buf.is_null() || values.is_empty() {
+        return Ok(());
+    }
+    // SAFETY: not NULL, and the first struct is as long as it says.
+    let size = unsafe { OutStruct::new("buf[0]", buf)? }.size();
+    for (at, value) in values.iter().enumerate() {
+        let element = buf.wrapping_byte_add(at * size);
+        // SAFETY: there is room for `values.len()` structs of this size.
+        let element = unsafe { OutStruct::with_size("buf", element, size as u32)? };
+        element.write_size_and_clear_tail();
+        element.write(&encode(value));
+    }
+    Ok(())
+}
+
 /// Returns `count` doubles of the caller's.
 ///
 /// # Safety

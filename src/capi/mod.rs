@@ -62,6 +62,8 @@ mod facets;
 
 mod holes;
 
+mod diagnosis;
+
 mod measures;
 
 mod histogram;
@@ -87,18 +89,20 @@ pub use boundary::{
     nm_mesh_set_regions, nm_mesh_set_segments, nm_region,
 };
 pub use create::{nm_mesh_create, nm_mesh_create_from_file, nm_mesh_free};
+pub use diagnosis::{
+    nm_intersection, nm_mesh_get_intersections, nm_mesh_get_odd_edges, nm_odd_edge,
+};
 pub use enums::{
-    nm_face_class, nm_feature, nm_filtration, nm_interpolation, nm_intersection_kind, nm_placement,
-    nm_status, nm_vertex_kind,
+    nm_edge_fault, nm_face_class, nm_feature, nm_filtration, nm_interpolation,
+    nm_intersection_kind, nm_placement, nm_status, nm_vertex_kind,
 };
 pub use error::nm_last_error;
 pub use export::{
     nm_export, nm_export_selected, nm_export_write, nm_export_write_selected, nm_write_fn,
 };
 pub use facets::{
-    nm_intersection, nm_mesh_get_facet_parents, nm_mesh_get_facet_triangle_simplices,
-    nm_mesh_get_facet_triangles, nm_mesh_get_intersections, nm_mesh_set_facets,
-    nm_mesh_set_triangles,
+    nm_mesh_get_facet_parents, nm_mesh_get_facet_triangle_simplices, nm_mesh_get_facet_triangles,
+    nm_mesh_set_facets, nm_mesh_set_triangles,
 };
 pub use getters::{
     nm_mesh_counts, nm_mesh_get_domains, nm_mesh_get_input_vertices, nm_mesh_get_neighbors,

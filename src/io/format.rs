@@ -27,7 +27,7 @@ pub enum Format {
     /// Object file format (.off), nOFF from dimension 3 on.
     Off = 5,
     /// Polygon file format (.ply): the triangles of a planar mesh, the boundary of one in dimension
-    /// 3.
+    /// 3, where facets are given with their markers.
     Ply = 6,
     /// Points as text, one per line, separated by spaces (.xyz).
     Xyz = 7,
@@ -51,8 +51,9 @@ pub enum Format {
     Wkt = 14,
     /// TetGen's points, facets of one polygon each, holes and regions, read only (.smesh).
     Smesh = 15,
-    /// Stereolithography's triangles, as text or binary data, read only (.stl). Equal corners are
-    /// one point; the marker of a triangle is the number of its solid, from 1.
+    /// Stereolithography's triangles (.stl), read as text or binary data. Equal corners are one
+    /// point; the marker of a triangle is the number of its solid, from 1. Of a mesh of dimension 3
+    /// the boundary is written, as binary data with coordinates of single precision.
     Stl = 16,
     /// Wavefront's points, polygons and lines, read only (.obj). Markers are the numbers of groups,
     /// from 1 by the order of their first names, and 0 before any.
@@ -147,14 +148,14 @@ impl Format {
         let resolved = self.resolve(path).map_err(|_| {
             let message = message!(
                 "{}: the extension names no format that can be written; name the format, or use \
-                 .vtu, .node, .ele, .msh, .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, .npy, \
-                 .voronoi.json or .domains.json",
+                 .vtu, .node, .ele, .msh, .mesh, .off, .ply, .stl, .xyz, .txt, .xy, .pts, .csv, \
+                 .npy, .voronoi.json or .domains.json",
                 path.display()
             );
             Error::invalid(message)
         })?;
         match resolved {
-            Self::Poly | Self::Smesh | Self::Stl | Self::Obj | Self::Geojson | Self::Wkt => {
+            Self::Poly | Self::Smesh | Self::Obj | Self::Geojson | Self::Wkt => {
                 Err(resolved.read_only().within(&path.display()))
             }
             _ => Ok(resolved),
@@ -204,6 +205,12 @@ impl Format {
                 Err(Error::invalid(message!(
                     "{} holds meshes of dimension 2 and 3, not {dim}; use OFF (nOFF) or TetGen",
                     self.name()
+                )))
+            }
+            Self::Stl if dim != 3 => {
+                let others = if dim == 2 { "PLY" } else { "OFF (nOFF) or TetGen" };
+                Err(Error::invalid(message!(
+                    "STL holds the boundary of meshes of dimension 3, not {dim}; use {others}"
                 )))
             }
             _ => Ok(()),

@@ -6,7 +6,7 @@
 //! | [`Format::TetgenNode`] | `.node`, `.ele` | points | mesh |
 //! | [`Format::Poly`] | `.poly` | points, segments (d = 2), facets (d = 3), regions | |
 //! | [`Format::Smesh`] | `.smesh` | points, facets, regions, d = 3 | |
-//! | [`Format::Stl`] | `.stl` | points, triangles, d = 3 | |
+//! | [`Format::Stl`] | `.stl` | points, triangles, d = 3 | boundary, d = 3 |
 //! | [`Format::Obj`] | `.obj` | points, facets, segments, d = 3 | |
 //! | [`Format::Geojson`] | `.geojson` | points, segments, d = 2 | |
 //! | [`Format::Wkt`] | `.wkt` | points, segments, d = 2 | |
@@ -54,6 +54,7 @@ mod medit;
 mod npy;
 mod obj;
 mod off;
+mod outer;
 mod ply;
 mod poly;
 mod polygons;
@@ -399,7 +400,8 @@ enum Content<'a> {
     Gmsh(&'a Mesh, &'a Triangulation, &'a [Attribute]),
     Medit(&'a Mesh, &'a Triangulation),
     Off(&'a Triangulation),
-    Ply(&'a Triangulation, &'a [Attribute]),
+    Ply(&'a Mesh, &'a Triangulation, &'a [Attribute]),
+    Stl(&'a Triangulation),
     Xyz(&'a Mesh),
     Csv(&'a Mesh, &'a [Attribute]),
     Npy(&'a Mesh, &'a [Attribute]),
@@ -438,18 +440,20 @@ impl<'a> Content<'a> {
             Format::Gmsh => Ok(Self::Gmsh(mesh, triangulation()?, attributes)),
             Format::Medit => Ok(Self::Medit(mesh, triangulation()?)),
             Format::Off => triangulation().map(Self::Off),
-            Format::Ply => Ok(Self::Ply(triangulation()?, attributes)),
+            Format::Ply => Ok(Self::Ply(mesh, triangulation()?, attributes)),
+            Format::Stl => {
+                let triangulation = triangulation()?;
+                stl::check_precision(triangulation)?;
+                Ok(Self::Stl(triangulation))
+            }
             Format::Xyz => Ok(Self::Xyz(mesh)),
             Format::Csv => Ok(Self::Csv(mesh, attributes)),
             Format::Npy => Ok(Self::Npy(mesh, attributes)),
             Format::VoronoiJson => Ok(Self::Voronoi(mesh, triangulation()?)),
             Format::DomainsJson => triangulation().map(Self::Domains),
-            Format::Poly
-            | Format::Smesh
-            | Format::Stl
-            | Format::Obj
-            | Format::Geojson
-            | Format::Wkt => Err(format.read_only()),
+            Format::Poly | Format::Smesh | Format::Obj | Format::Geojson | Format::Wkt => {
+                Err(format.read_only())
+            }
         }
     }
 
@@ -474,7 +478,10 @@ impl<'a> Content<'a> {
             }
             Self::Medit(mesh, triangulation) => medit::write(triangulation, Markers::of(mesh), out),
             Self::Off(triangulation) => off::write(triangulation, out),
-            Self::Ply(triangulation, attributes) => ply::write(triangulation, attributes, out),
+            Self::Ply(mesh, triangulation, attributes) => {
+                ply::write(triangulation, Markers::of(mesh).facets, attributes, out)
+            }
+            Self::Stl(triangulation) => stl::write(triangulation, out),
             Self::Xyz(mesh) => xyz::write(mesh, out),
             Self::Csv(mesh, attributes) => csv::write(mesh, attributes, out),
             Self::Npy(mesh, attributes) => npy::write(mesh, attributes, out),

@@ -1,17 +1,19 @@
 //! STL: the triangles of surfaces, as text or as binary data. Each triangle has corners of its own;
 //! equal ones are one point here. The marker of a triangle is the number of its solid, from 1.
-//! Normals and the two bytes of attributes say nothing that counts.
+//! Normals and the two bytes of attributes say nothing that counts. The boundary of a mesh in space
+//! is written, as binary data.
 
 use super::binary::Binary;
 use super::io_error;
+use super::outer::outer_triangles;
 use super::polygons::Polygons;
 use super::text::{Line, Lines, Points};
 use super::values::{Outline, Table};
-use crate::error::{ErrorKind, Result, message};
+use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::AllocError;
-use crate::mesh::LeftOut;
+use crate::mesh::{LeftOut, Triangulation};
 use std::collections::HashMap;
-use std::io::{BufRead, Read};
+use std::io::{self, BufRead, Read, Write};
 
 /// Bytes before the triangles of binary data: a header, and the number of triangles.
 const HEAD: usize = 84;
@@ -198,10 +200,88 @@ fn expected(line: &Line<'_>, what: &str) -> crate::error::Error {
     )
 }
 
+/// Fails if single precision does not hold the boundary of a mesh: a coordinate that is too large,
+/// or a triangle that has a point twice.
+///
+/// # Errors
+/// `InvalidArgument`, naming the vertices and the rule; `Limit` (more triangles than STL counts).
+pub(super) fn check_precision(mesh: &Triangulation) -> Result<()> {
+    for (_, vertices) in outer_triangles(mesh) {
+        let corners = vertices.map(|vertex| single(mesh, vertex));
+        for (corner, vertex) in corners.iter().zip(vertices) {
+            if let Some(axis) = corner.iter().position(|x| x.is_infinite()) {
+                let x = mesh.point(vertex)[axis];
+                return Err(Error::invalid(message!(
+                    "points[{vertex}] of the mesh has the coordinate {x:e}; STL has single \
+                     precision, up to {:e}; use PLY",
+                    f32::MAX
+                )));
+            }
+        }
+        let [a, b, c] = corners;
+        let pairs = [(a == b, [0, 1]), (b == c, [1, 2]), (c == a, [0, 2])];
+        if let Some((_, ends)) = pairs.iter().find(|(are_equal, _)| *are_equal) {
+            let [from, to] = ends.map(|at| vertices[at]);
+            return Err(Error::invalid(message!(
+                "points[{from}] and points[{to}] of the mesh, of one triangle of its boundary, \
+                 are the same point in single precision, which STL has; use PLY"
+            )));
+        }
+    }
+    let count = outer_triangles(mesh).count();
+    if u32::try_from(count).is_err() {
+        let message = message!("the boundary has {count} triangles; STL counts {}", u32::MAX);
+        return Err(Error::new(ErrorKind::Limit, message));
+    }
+    Ok(())
+}
+
+/// Returns a vertex as STL has it.
+fn single(mesh: &Triangulation, vertex: u32) -> [f32; 3] {
+    let point = mesh.point(vertex);
+    [0, 1, 2].map(|axis| point[axis] as f32)
+}
+
+/// Writes the boundary of a mesh in space as binary data, whose triangles are counterclockwise as
+/// seen from outside, where their normals point to.
+pub(super) fn write(mesh: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
+    let mut head = [b' '; 80];
+    head[..TITLE.len()].copy_from_slice(TITLE);
+    out.write_all(&head)?;
+    out.write_all(&(outer_triangles(mesh).count() as u32).to_le_bytes())?;
+    for (_, vertices) in outer_triangles(mesh) {
+        let corners = vertices.map(|vertex| single(mesh, vertex));
+        let rows = [normal(vertices.map(|vertex| mesh.point(vertex)))].into_iter().chain(corners);
+        for x in rows.flatten() {
+            out.write_all(&x.to_le_bytes())?;
+        }
+        out.write_all(&[0; 2])?;
+    }
+    Ok(())
+}
+
+/// Beginning of the header of binary data, which must not be the word that text begins with.
+const TITLE: &[u8] = b"netmesh: the boundary of the tetrahedra";
+
+/// Returns the normal of a triangle, of length 1; of one without an area nothing but zeros.
+fn normal([a, b, c]: [&[f64]; 3]) -> [f32; 3] {
+    // Edges are scaled one by one, so that no product is too small or too large.
+    let edge = |to: &[f64]| {
+        let edge = [0, 1, 2].map(|axis| to[axis] - a[axis]);
+        let largest = edge.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+        edge.map(|x| x / largest)
+    };
+    let ([ux, uy, uz], [vx, vy, vz]) = (edge(b), edge(c));
+    let normal = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+    let length = normal.iter().map(|x| x * x).sum::<f64>().sqrt();
+    if length > 0.0 { normal.map(|x| (x / length) as f32) } else { [0.0; 3] }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::super::{Choice, Format, Table, read_table};
+    use super::super::{Choice, Format, Table, read_table, samples, write};
     use crate::error::{ErrorKind, Result};
+    use crate::mesh::Mesh;
     use std::io::BufReader;
 
     fn table(data: &[u8]) -> Result<Table> {
@@ -317,5 +397,73 @@ mod tests {
         let error = table(&infinite).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::NonFinite);
         assert_eq!(error.message(), "byte 101: inf; every coordinate must be finite");
+    }
+
+    /// Returns a tetrahedron, scaled and moved.
+    fn tetrahedron(scale: f64, place: f64) -> Mesh {
+        let corners = [0., 0., 0., 3., 0., 0., 0., 4., 0., 0., 0., 5.];
+        let points = corners.map(|x| place + scale * x);
+        let mut mesh = Mesh::new(3, 4, &points, 0).unwrap();
+        mesh.run(&samples::delaunay(), None).unwrap();
+        mesh
+    }
+
+    #[test]
+    fn the_boundary_is_written_with_normals_that_look_outward() {
+        let mesh = tetrahedron(1.0, 0.5);
+        let mut file = Vec::new();
+        write(&mesh, Format::Stl, &mut file).unwrap();
+        assert_eq!(file.len(), 84 + 4 * 50);
+        let mut normals = Vec::new();
+        for row in file[84..].chunks_exact(50) {
+            let numbers: Vec<f32> = row[..48]
+                .chunks_exact(4)
+                .map(|bytes| f32::from_le_bytes(bytes.try_into().unwrap()))
+                .collect();
+            let point = |at: usize| [0, 1, 2].map(|k| f64::from(numbers[3 * at + k]));
+            let [normal, a, b, c] = [0, 1, 2, 3].map(point);
+            let [u, v] = [b, c].map(|to| [0, 1, 2].map(|k| to[k] - a[k]));
+            let cross = [1, 2, 0].map(|i| u[i] * v[(i + 1) % 3] - u[(i + 1) % 3] * v[i]);
+            let length = cross.iter().map(|x| x * x).sum::<f64>().sqrt();
+            assert!((0..3).all(|k| (cross[k] / length - normal[k]).abs() < 1e-6), "{normal:?}");
+            // From the centre of the tetrahedron to the triangle.
+            let height: f64 = (0..3).map(|k| normal[k] * (a[k] - 1.5)).sum();
+            assert!(height > 0.1, "{height}");
+            assert_eq!(row[48..], [0, 0]);
+            normals.push(normal);
+        }
+        for axis in 0..3 {
+            let side = [0, 1, 2].map(|k| if k == axis { -1.0 } else { 0.0 });
+            assert!(normals.contains(&side), "{normals:?}");
+        }
+        let table = table(&file).unwrap();
+        assert_eq!((table.points.count(), table.outline.facets.count()), (4, 4));
+    }
+
+    #[test]
+    fn what_single_precision_does_not_hold_is_refused() {
+        let refusal = |mesh: &Mesh| {
+            let mut file = Vec::new();
+            let error = write(mesh, Format::Stl, &mut file).unwrap_err();
+            assert_eq!((error.kind(), file.len()), (ErrorKind::InvalidArgument, 0));
+            error.message().to_string()
+        };
+        let large = refusal(&tetrahedron(1e38, 0.0));
+        let rule = "STL has single precision, up to 3.4028235e38; use PLY";
+        assert!(large.starts_with("points[") && large.ends_with(rule), "{large}");
+        assert!(large.contains("] of the mesh has the coordinate "), "{large}");
+        let small = refusal(&tetrahedron(1e-9, 1.0));
+        let rule = "are the same point in single precision, which STL has; use PLY";
+        assert!(small.starts_with("points[") && small.ends_with(rule), "{small}");
+        // The largest numbers that fit, and the smallest that are different.
+        for mesh in [tetrahedron(6.8e37, 0.0), tetrahedron(1e-45, 0.0), tetrahedron(1e-6, 1.0)] {
+            let mut file = Vec::new();
+            write(&mesh, Format::Stl, &mut file).unwrap();
+            assert_eq!(table(&file).unwrap().outline.facets.count(), 4);
+        }
+        let plane = refusal(&samples::square());
+        assert_eq!(plane, "STL holds the boundary of meshes of dimension 3, not 2; use PLY");
+        let high = refusal(&samples::mesh(4));
+        assert!(high.ends_with("dimension 3, not 4; use OFF (nOFF) or TetGen"), "{high}");
     }
 }

@@ -5,6 +5,7 @@ use super::{PointCloud, io_error};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::TryGrow;
 use crate::mesh::{MAX_DIM, MIN_DIM};
+use std::fmt::Display;
 use std::io::{self, BufRead, Read, Write};
 
 /// The longest line that is read, with its end: a file without line ends must not fill the memory.
@@ -259,6 +260,12 @@ impl<'a> Line<'a> {
         }
     }
 
+    /// Parses a whole number of 32 bits, which some programs also write as `3.0`.
+    pub fn whole(&self, column: usize, field: &str, what: &str) -> Result<i32> {
+        let found = whole(self.coordinate(column, field)?, field, what);
+        found.map_err(|why| self.field_error(ErrorKind::Format, column, why).of_content())
+    }
+
     /// Parses the value of an attribute: any double, nan and infinity too. An empty field stands
     /// for nan.
     pub fn value(&self, column: usize, field: &str, name: &str) -> Result<f64> {
@@ -294,6 +301,18 @@ impl<'a> Line<'a> {
             return Err(self.error_of_kind(ErrorKind::Dimension, message));
         }
         Ok(dim as usize)
+    }
+}
+
+/// Returns a number as one of 32 bits, or the message about one, `shown`, that is none.
+pub(super) fn whole(
+    value: f64,
+    shown: impl Display,
+    what: &str,
+) -> std::result::Result<i32, String> {
+    match (f64::from(i32::MIN)..=f64::from(i32::MAX)).contains(&value) {
+        true if value == value.trunc() => Ok(value as i32),
+        _ => Err(format!("{shown} is no {what}: a whole number of 32 bits")),
     }
 }
 

@@ -10,7 +10,8 @@ pub struct Diagnosis {
     pub edges: Vec<OddEdge>,
     /// Pairs that meet and facets without an area, as [`super::Mesh::intersections`] has them.
     pub intersections: Vec<Intersection>,
-    /// Number of triangles with the vertices of an earlier one.
+    /// Number of triangles with the vertices of an earlier one, or of polygons with its loops,
+    /// whatever their order, where they begin and the way round that they run.
     pub duplicates: usize,
 }
 

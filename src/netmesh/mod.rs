@@ -36,7 +36,9 @@ use crate::mesh::{Arrangement, Inputs, Triangulation, in_dimension};
 use crate::netmesh::state::Mesher;
 use crate::netmesh::state::sizes::Sizes;
 use crate::options::{Algorithm, Options, Output, ProgressFn, SizeFn};
-use crate::parameters::{Parameters, check_region_sizes, in_space, output_for, with_segments};
+use crate::parameters::{
+    Features, Parameters, check_region_sizes, conforming, in_space, output_for,
+};
 pub(crate) use state::watch::Watch;
 use std::time::Instant;
 
@@ -116,12 +118,14 @@ pub fn run_sized(
     let options = &Options { output, ..options.clone() };
     let parameters = match &arrangement {
         None => Parameters::resolve(inputs.dim(), options)?,
-        Some(_) => Parameters {
+        Some(arrangement) => Parameters {
             // What is outside is not refined, and a partition does not know what is.
             inputs_per_partition: None,
             ..match inputs.dim() {
-                3 => in_space(options)?,
-                dim => Parameters::resolve(dim, &with_segments(options)?)?,
+                // A hull or box has sides, too.
+                3 if arrangement.facets.is_empty() => in_space(options, Features::Segments)?,
+                3 => in_space(options, Features::Facets)?,
+                dim => Parameters::resolve(dim, &conforming(options, Features::Segments)?)?,
             }
         },
     };

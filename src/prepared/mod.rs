@@ -12,7 +12,7 @@ use crate::arrays::{
 };
 use crate::error::{ErrorKind, Result};
 use crate::memory::{filled, with_capacity};
-use crate::mesh::{Attribute, Intersection, Mesh, Triangulation};
+use crate::mesh::{Attribute, Intersection, Mesh, OddEdge, Triangulation};
 use crate::netmesh;
 use crate::options::{self, Algorithm, Options};
 use crate::query::{self, Among, Index, Values, Work};
@@ -33,6 +33,7 @@ pub struct Prepared {
     alpha: Once<Filtration>,
     distances: Once<Filtration>,
     intersections: Once<Vec<Intersection>>,
+    odd_edges: Once<Vec<OddEdge>>,
     kept: Kept,
 }
 
@@ -176,6 +177,15 @@ impl Prepared {
     /// Errors of [`Mesh::intersections`].
     pub fn intersections(&self, mesh: &Mesh) -> Result<&[Intersection]> {
         Ok(self.intersections.get_or_make(|| mesh.intersections())?)
+    }
+
+    /// Returns the edges of the facets that the mesh was given last which are not between two, in
+    /// space.
+    ///
+    /// # Errors
+    /// Errors of [`Mesh::odd_edges`].
+    pub fn odd_edges(&self, mesh: &Mesh) -> Result<&[OddEdge]> {
+        Ok(self.odd_edges.get_or_make(|| mesh.odd_edges())?)
     }
 
     /// Returns the attributes at the vertices of the mesh (before a run at the distinct inputs):

@@ -3,7 +3,7 @@
 use super::{bounded, cuboid};
 use netmesh::Region;
 use netmesh::error::ErrorKind;
-use netmesh::options::{Extent, Interior, Options, Output};
+use netmesh::options::{Algorithm, Extent, Interior, Options, Output};
 
 fn refusal(options: &Options) -> String {
     let error = cuboid([0.0; 3], [1.0; 3]).mesh().run(options, None).unwrap_err();
@@ -15,11 +15,46 @@ fn refusal(options: &Options) -> String {
 fn what_does_not_go_with_facets_is_refused_by_name() {
     let plain = Options::default();
     let distance = refusal(&Options { distance_ratio: 0.5, ..plain.clone() });
-    assert!(distance.starts_with("options.distance_ratio is 0.5; it must be 0"), "{distance}");
+    assert_eq!(distance, "options.distance_ratio is 0.5; it must be 0 with facets");
+    for algorithm in [Algorithm::Delaunay, Algorithm::Svr] {
+        for extent in [Extent::Auto, Extent::Box] {
+            let message = refusal(&Options { algorithm, extent, ..plain.clone() });
+            assert!(
+                message.contains(" goes neither with facets nor with a hull or box"),
+                "{message}"
+            );
+        }
+    }
+    for quality_bound in [4.0, f64::INFINITY] {
+        let message = refusal(&Options { quality_bound, ..plain.clone() });
+        let words = format!("is {quality_bound}; with facets it must be 0, or go with ");
+        assert!(message.contains(&words), "{message}");
+    }
     for extent in [Extent::All, Extent::Box, Extent::Hull] {
         let message = refusal(&Options { extent, interior: Interior::Parity, ..plain.clone() });
         assert!(message.contains("does not go with"), "{message}");
     }
+}
+
+/// A mesh in space without facets lacks them, not segments.
+#[test]
+fn facets_are_needed_for_what_they_bound() {
+    let points = cuboid([0.0; 3], [1.0; 3]).points;
+    let mut mesh = netmesh::Mesh::new(3, points.len(), points.as_flattened(), 0).unwrap();
+    let mut refusal = |options: &Options| {
+        let error = mesh.run(options, None).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::InvalidArgument, "{error}");
+        error.message().to_owned()
+    };
+    let plain = Options::default();
+    let boundary = refusal(&Options { extent: Extent::Boundary, ..plain.clone() });
+    assert_eq!(boundary, "options.extent = Extent::Boundary needs facets; the mesh has none");
+    let parity = refusal(&Options { interior: Interior::Parity, ..plain.clone() });
+    assert_eq!(parity, "options.interior = Interior::Parity needs facets; the mesh has none");
+    mesh.set_regions(&[Region { seed: [0.5; 3], ..Region::default() }]).unwrap();
+    let seed = mesh.run(&plain, None).unwrap_err();
+    let words = "regions[0].seed is in no region: the mesh has no facets; set them first";
+    assert!(seed.message().starts_with(words), "{seed}");
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! The rows that a header declares. All must be there; only the points are kept.
 
 use super::super::binary::Binary;
-use super::super::text::{Line, Lines, quoted};
+use super::super::text::{Line, Lines, quoted, whole};
 use super::Rows;
 use super::header::{Element, Header, Kind, Scalar};
 use crate::error::{ErrorKind, Result, message};
@@ -20,6 +20,9 @@ pub(super) fn read_text(header: &Header, lines: &mut Lines<'_>, rows: &mut Rows)
                 let (place, word) = row.next()?;
                 match (property.axis, property.kind) {
                     (Some(axis), _) => point[axis] = line.coordinate(place, word)?,
+                    (None, Kind::Scalar(_)) if property.is_marker => {
+                        rows.marker = line.whole(place, word, "marker")?;
+                    }
                     (None, Kind::Scalar(_)) => line.skip_number(place, word)?,
                     (None, Kind::List { .. }) => {
                         let length = line.integer(place, word, "length of a list")?;
@@ -151,6 +154,9 @@ impl BinaryRows<'_> {
                         rows.values.push(attribute, value)?;
                     }
                 }
+                Kind::Scalar(scalar) if property.is_marker => {
+                    rows.marker = self.read_marker(scalar, lacks)?;
+                }
                 Kind::Scalar(scalar) => self.binary.skip(scalar.size() as u64, lacks)?,
                 Kind::List { length, item } => {
                     let count = self.scalar(length, lacks)?;
@@ -196,6 +202,14 @@ impl BinaryRows<'_> {
             })?;
         }
         Ok(())
+    }
+
+    /// Reads the marker of a face, a whole number of any type.
+    fn read_marker(&mut self, scalar: Scalar, lacks: impl FnOnce() -> String) -> Result<i32> {
+        let value = self.scalar(scalar, lacks)?;
+        whole(value, value, "marker").map_err(|why| {
+            self.binary.error_at(scalar.size() as u64, ErrorKind::Format, &why).of_content()
+        })
     }
 
     fn require_finite(&self, value: f64, scalar: Scalar, index: u64, name: &str) -> Result<()> {

@@ -39,6 +39,8 @@ pub(super) struct Property {
     pub axis: Option<usize>,
     /// True for the list of the vertices of a face in space.
     pub is_face: bool,
+    /// True for the marker of a face in space.
+    pub is_marker: bool,
 }
 
 #[derive(Clone, Copy)]
@@ -156,6 +158,9 @@ const FACE: &str = "face";
 /// The names that programs give to the list of the vertices of a face.
 const FACE_LISTS: [&str; 2] = ["vertex_indices", "vertex_index"];
 
+/// The name of the property of a face that is its marker.
+const MARKER: &str = "marker";
+
 /// The names of elements of a mesh, and their dimensions. A strip of triangles is one element.
 const ELEMENTS: [(&str, u64); 6] =
     [("edge", 1), ("face", 2), ("tristrips", 2), ("cell", 3), ("tetra", 3), ("tetrahedron", 3)];
@@ -221,11 +226,12 @@ impl Element {
             return Err(line.error("a coordinate that is a list"));
         }
         let name = name.to_string();
-        self.properties.push(Property { name, kind, axis, is_face: false });
+        self.properties.push(Property { name, kind, axis, is_face: false, is_marker: false });
         Ok(())
     }
 
-    /// Marks the list that has the vertices of a face.
+    /// Marks the list that has the vertices of a face, and beside it the whole number that is its
+    /// marker.
     fn mark_face(&mut self) {
         let is_list = |property: &&mut Property| {
             matches!(property.kind, Kind::List { .. })
@@ -233,6 +239,12 @@ impl Element {
         };
         if let Some(list) = self.properties.iter_mut().find(is_list) {
             list.is_face = true;
+            let is_marker = |property: &&mut Property| {
+                property.name == MARKER && property.kind.is_whole_number()
+            };
+            if let Some(marker) = self.properties.iter_mut().find(is_marker) {
+                marker.is_marker = true;
+            }
         }
     }
 
@@ -246,6 +258,12 @@ impl Element {
 
     pub fn holds_points(&self) -> bool {
         self.name == VERTEX
+    }
+}
+
+impl Kind {
+    fn is_whole_number(self) -> bool {
+        !matches!(self, Self::List { .. } | Self::Scalar(Scalar::Float | Scalar::Double))
     }
 }
 

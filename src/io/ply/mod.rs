@@ -3,13 +3,15 @@
 mod body;
 mod header;
 
+use super::allocation_failed;
 use super::attributes::Scalar;
 use super::choice::AttributeColumns;
+use super::outer::{marked_sides, outer_triangles};
 use super::polygons::Polygons;
 use super::text::{Lines, Points};
 use super::values::{Outline, Table, Values};
 use crate::error::Result;
-use crate::mesh::{Attribute, NONE, Triangulation};
+use crate::mesh::{Attribute, Triangulation};
 use header::{Encoding, Header};
 use std::io::{self, BufRead, Write};
 
@@ -20,6 +22,7 @@ pub(super) fn read(input: &mut dyn BufRead, attributes: &AttributeColumns) -> Re
         points: Points::of_dimension(header.dim),
         values: header.values(attributes)?,
         face: Vec::new(),
+        marker: 0,
         polygons: Polygons::default(),
         outline: Outline::default(),
     };
@@ -43,6 +46,8 @@ struct Rows {
     values: Values,
     /// Vertices of the face that is read.
     face: Vec<u32>,
+    /// Marker of the face that is read; 0 if it has none.
+    marker: i32,
     polygons: Polygons,
     /// Segments between the vertices.
     outline: Outline,
@@ -55,21 +60,24 @@ impl Rows {
 
     /// Adds the face whose vertices have been read.
     fn add_face(&mut self) -> Result<()> {
-        let Self { face, polygons, outline, .. } = self;
-        polygons.add_face(face, 0, outline)?;
+        let Self { face, marker, polygons, outline, .. } = self;
+        polygons.add_face(face, std::mem::take(marker), outline)?;
         face.clear();
         Ok(())
     }
 }
 
+/// Writes a mesh of the plane or the boundary of one in space. If that was given facets, whose
+/// markers these are, each triangle of the boundary has that of its facet, or 0.
 pub(super) fn write(
     triangulation: &Triangulation,
+    markers: &[i32],
     attributes: &[Attribute],
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let faces = match triangulation.dim {
         2 => triangulation.simplex_count(),
-        _ => triangulation.neighbors.iter().filter(|&&neighbor| neighbor == NONE).count(),
+        _ => outer_triangles(triangulation).count(),
     };
     write!(
         out,
@@ -84,11 +92,15 @@ pub(super) fn write(
             writeln!(out, "property double {}", Scalar(attribute, k))?;
         }
     }
-    writeln!(out, "element face {faces}\nproperty list uchar uint vertex_indices\nend_header")?;
+    writeln!(out, "element face {faces}\nproperty list uchar uint vertex_indices")?;
+    let has_markers = triangulation.dim == 3 && !markers.is_empty();
+    out.write_all(if has_markers { b"property int marker\n" } else { b"" })?;
+    writeln!(out, "end_header")?;
     write_vertices(triangulation, attributes, out)?;
     match triangulation.dim {
         2 => triangulation.simplices.chunks_exact(3).try_for_each(|face| write_face(face, out)),
-        _ => write_boundary(triangulation, out),
+        _ if has_markers => write_marked_boundary(triangulation, markers, out),
+        _ => outer_triangles(triangulation).try_for_each(|(_, face)| write_face(&face, out)),
     }
 }
 
@@ -111,18 +123,17 @@ fn write_vertices(
     Ok(())
 }
 
-/// Writes the facets without a neighbour, counterclockwise as seen from outside.
-fn write_boundary(triangulation: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
-    const FACETS: [[usize; 3]; 4] = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
-    for simplex in 0..triangulation.simplex_count() {
-        let vertices = triangulation.simplex(simplex);
-        for (neighbor, facet) in triangulation.neighbors_of(simplex).iter().zip(FACETS) {
-            if *neighbor == NONE {
-                write_face(&facet.map(|index| vertices[index]), out)?;
-            }
-        }
-    }
-    Ok(())
+fn write_marked_boundary(
+    triangulation: &Triangulation,
+    markers: &[i32],
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let marked = marked_sides(triangulation, markers).map_err(allocation_failed)?;
+    outer_triangles(triangulation).try_for_each(|(side, face)| {
+        let marker = marked.binary_search_by_key(&side, |own| own.0).map_or(0, |at| marked[at].1);
+        write_face(&face, out)?;
+        out.write_all(&marker.to_le_bytes())
+    })
 }
 
 fn write_face(vertices: &[u32], out: &mut dyn Write) -> io::Result<()> {
@@ -272,6 +283,76 @@ mod tests {
             );
             let Table { outline, left_out, .. } = table(file.as_bytes()).unwrap();
             assert_eq!((outline.facets.count(), left_out.faces), (0, 1));
+        }
+    }
+
+    /// Markers are of a mesh with facets alone: of both tetrahedra, the first has one side with the
+    /// marker -5, the second one on a side that belongs to no facet, and others have none.
+    #[test]
+    fn markers_of_facets_are_written_and_read_back() {
+        let mut file = Vec::new();
+        write(&samples::solid_with_facets(), Format::Ply, &mut file).unwrap();
+        let table = table(&file).unwrap();
+        let facets = &table.outline.facets;
+        assert!(facets.are_triangles && facets.count() == 6);
+        for facet in 0..6 {
+            let mut corners = facets.loops(facet).next().unwrap().to_vec();
+            corners.sort_unstable();
+            let expected = if corners == [0, 1, 2] { -5 } else { 0 };
+            assert_eq!(facets.markers[facet], expected, "{corners:?}");
+        }
+        let mut file = Vec::new();
+        write(&samples::mesh(3), Format::Ply, &mut file).unwrap();
+        assert!(!String::from_utf8_lossy(&file).contains("marker"));
+    }
+
+    #[test]
+    fn markers_are_whole_numbers_of_faces() {
+        let file = |order: &str, kind: &str, markers: [&str; 2]| {
+            let header = format!(
+                "ply\nformat {order} 1.0\nelement vertex 3\nproperty uchar x\nproperty uchar y\n\
+                 property uchar z\nproperty {kind} marker\nelement face 2\n\
+                 property {kind} marker\nproperty list uchar uchar vertex_indices\nend_header\n"
+            );
+            if order == "ascii" {
+                let [a, b] = markers;
+                let rows = format!("0 0 0 7\n1 0 0 7\n0 1 0 7\n{a} 3 0 1 2\n{b} 2 0 1\n");
+                return (header + &rows).into_bytes();
+            }
+            let number = |text: &str| {
+                let value: f64 = text.parse().unwrap();
+                match kind {
+                    "uint" => (value as u32).to_le_bytes().to_vec(),
+                    "float" => (value as f32).to_le_bytes().to_vec(),
+                    _ => (value as i16).to_le_bytes().to_vec(),
+                }
+            };
+            let mut file = header.into_bytes();
+            for point in [[0, 0, 0], [1, 0, 0], [0, 1, 0]] {
+                file.extend(point);
+                file.extend(number("7"));
+            }
+            file.extend([number(markers[0]), vec![3, 0, 1, 2]].concat());
+            file.extend([number(markers[1]), vec![2, 0, 1]].concat());
+            file
+        };
+        for order in ["ascii", "binary_little_endian"] {
+            let read = |kind: &str, markers| table(&file(order, kind, markers));
+            let outline = read("short", ["-300", "41"]).unwrap().outline;
+            assert_eq!((&*outline.facets.markers, &*outline.markers), (&[-300][..], &[41][..]));
+            let outline = read("uint", ["2147483647", "0"]).unwrap().outline;
+            assert_eq!((&*outline.facets.markers, &*outline.markers), (&[i32::MAX][..], &[0][..]));
+            // Numbers that need not be whole are no markers.
+            let outline = read("float", ["5", "6"]).unwrap().outline;
+            assert_eq!((&*outline.facets.markers, &*outline.markers), (&[0][..], &[0][..]));
+            let error = read("uint", ["1", "2147483648"]).unwrap_err();
+            let place = match order {
+                "ascii" => "line 15, column 1",
+                _ => "byte 29 after the header",
+            };
+            let rule = "2147483648 is no marker: a whole number of 32 bits";
+            assert_eq!(error.message(), format!("{place}: {rule}"));
+            assert!(error.is_of_content());
         }
     }
 

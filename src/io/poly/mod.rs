@@ -111,7 +111,7 @@ fn read_segments(lines: &mut Lines<'_>, ids: &PointIds, outline: &mut Outline) -
             match column {
                 0 => _ = line.integer(column, word, "segment id")?,
                 1 | 2 => ends[column - 1] = ids.read(&line, column, word)?,
-                _ => outline.markers.try_push(whole(&line, column, word, "marker")?)?,
+                _ => outline.markers.try_push(line.whole(column, word, "marker")?)?,
             }
         }
         if ends[0] == ends[1] {
@@ -150,7 +150,7 @@ fn read_regions(lines: &mut Lines<'_>, dim: usize, outline: &mut Outline) -> Res
         let mut region = Region { seed: seed(&line, dim)?, ..Region::default() };
         for (column, word) in line.words().skip(1 + dim) {
             match column - dim {
-                1 => region.label = whole(&line, column, word, "label")?,
+                1 => region.label = line.whole(column, word, "label")?,
                 _ => region.max_edge = edge_of(line.coordinate(column, word)?, dim),
             }
         }
@@ -191,16 +191,6 @@ fn seed(line: &Line<'_>, dim: usize) -> Result<[f64; 3]> {
         }
     }
     Ok(seed)
-}
-
-/// Reads a number of the caller's, which these programs also write as `3.0`.
-fn whole(line: &Line<'_>, column: usize, word: &str, what: &str) -> Result<i32> {
-    let value = line.coordinate(column, word)?;
-    if value != value.trunc() || value.abs() > f64::from(i32::MAX) {
-        let message = format!("{word} is no {what}: a whole number of 32 bits");
-        return Err(line.field_error(ErrorKind::Format, column, message).of_content());
-    }
-    Ok(value as i32)
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use super::super::polygons::Polygons;
 use super::super::text::{Line, Lines};
 use super::super::values::Outline;
 use super::loops::Loops;
-use super::{PointIds, coordinates, read_counts, whole};
+use super::{PointIds, coordinates, read_counts};
 use crate::error::{Error, ErrorKind, Result};
 use crate::memory::{TryGrow, with_capacity};
 
@@ -99,7 +99,7 @@ impl Facet {
             match column {
                 0 => polygons = line.integer(column, word, "number of polygons")?,
                 1 => self.holes = line.integer(column, word, "number of holes")?,
-                _ => self.marker = whole(line, column, word, "marker")?,
+                _ => self.marker = line.whole(column, word, "marker")?,
             }
         }
         match polygons {
@@ -140,7 +140,7 @@ impl Facet {
                         }
                     }
                     Some(_) if may_have_marker => {
-                        self.marker = whole(&line, column, word, "marker")?;
+                        self.marker = line.whole(column, word, "marker")?;
                         may_have_marker = false;
                     }
                     Some(size) => {

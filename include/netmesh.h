@@ -1670,6 +1670,32 @@ typedef struct nm_region {
 } nm_region;
 
 /**
+ * Holes that nm_mesh_close_holes has closed.
+ */
+typedef struct nm_closed_holes {
+    /**
+     * Set by the caller to sizeof(nm_closed_holes).
+     */
+    uint32_t struct_size;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+    /**
+     * Number of holes that were closed.
+     */
+    uint64_t holes;
+    /**
+     * Number of triangles that close them, the last of the facets now.
+     */
+    uint64_t triangles;
+    /**
+     * Number of edges at which one facet still ends and no other begins.
+     */
+    uint64_t open_edges;
+} nm_closed_holes;
+
+/**
  * Pair of facets and segments that meet in more than they share; an element of the array that
  * nm_mesh_get_intersections fills.
  */
@@ -1705,32 +1731,6 @@ typedef struct nm_intersection {
      */
     double point[3];
 } nm_intersection;
-
-/**
- * Holes that nm_mesh_close_holes has closed.
- */
-typedef struct nm_closed_holes {
-    /**
-     * Set by the caller to sizeof(nm_closed_holes).
-     */
-    uint32_t struct_size;
-    /**
-     * Zero.
-     */
-    uint32_t reserved;
-    /**
-     * Number of holes that were closed.
-     */
-    uint64_t holes;
-    /**
-     * Number of triangles that close them, the last of the facets now.
-     */
-    uint64_t triangles;
-    /**
-     * Number of edges at which one facet still ends and no other begins.
-     */
-    uint64_t open_edges;
-} nm_closed_holes;
 
 /**
  * Edge of facets that is not one of two that run through it in opposite directions; an element of
@@ -3325,31 +3325,6 @@ nm_status nm_mesh_get_facet_triangle_simplices(const struct nm_mesh *mesh,
                                                uint64_t *needed);
 
 /**
- * Writes all pairs of the facets and segments that the mesh was given last (nm_mesh_set_facets,
- * nm_mesh_set_triangles, nm_mesh_set_segments) that meet in more than vertices and edges that they
- * share, each with the kind of the intersection and a point of it; a facet that meets itself or
- * has no area is such a pair, too. By first, then by second; facets come before segments. The test
- * is exact. None: nm_run can keep them, if doubles have room; otherwise it refuses with the first.
- * 3D only. Before nm_run, after it, and after it has failed.
- *
- * buf[0].struct_size: set by the caller, to sizeof(nm_intersection) or what it was in an earlier
- * version; the elements stand as many bytes apart. It is read only if the array has elements.
- * capacity and *needed count elements.
- *
- * Array getter, see the top of this file. The first call takes the time: O(n log n) for n
- * triangles and segments whose boxes meet few others, O(n + pairs of boxes that meet) otherwise.
- * The handle keeps the array until something is set or nm_run succeeds.
- *
- * Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT (a mesh that is not 3D, buf
- * not aligned, buf[0].struct_size), NM_OUT_OF_MEMORY, NM_STATE (nm_run at work, poisoned).
- */
-NM_NODISCARD NM_API
-nm_status nm_mesh_get_intersections(const struct nm_mesh *mesh,
-                                    struct nm_intersection *buf,
-                                    uint64_t capacity,
-                                    uint64_t *needed);
-
-/**
  * Closes holes of the facets that the mesh was given last (nm_mesh_set_facets,
  * nm_mesh_set_triangles, a file): loops of at most max_edges edges at which one facet ends and no
  * other begins. 3D only. The result of a run stays as it is until the next.
@@ -3375,6 +3350,31 @@ NM_NODISCARD NM_API
 nm_status nm_mesh_close_holes(struct nm_mesh *mesh,
                               uint32_t max_edges,
                               struct nm_closed_holes *closed);
+
+/**
+ * Writes all pairs of the facets and segments that the mesh was given last (nm_mesh_set_facets,
+ * nm_mesh_set_triangles, nm_mesh_set_segments) that meet in more than vertices and edges that they
+ * share, each with the kind of the intersection and a point of it; a facet that meets itself or
+ * has no area is such a pair, too. By first, then by second; facets come before segments. The test
+ * is exact. None: nm_run can keep them, if doubles have room; otherwise it refuses with the first.
+ * 3D only. Before nm_run, after it, and after it has failed.
+ *
+ * buf[0].struct_size: set by the caller, to sizeof(nm_intersection) or what it was in an earlier
+ * version; the elements stand as many bytes apart. It is read only if the array has elements.
+ * capacity and *needed count elements.
+ *
+ * Array getter, see the top of this file. The first call takes the time: O(n log n) for n
+ * triangles and segments whose boxes meet few others, O(n + pairs of boxes that meet) otherwise.
+ * The handle keeps the array until something is set or nm_run succeeds.
+ *
+ * Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT (a mesh that is not 3D, buf
+ * not aligned, buf[0].struct_size), NM_OUT_OF_MEMORY, NM_STATE (nm_run at work, poisoned).
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_intersections(const struct nm_mesh *mesh,
+                                    struct nm_intersection *buf,
+                                    uint64_t capacity,
+                                    uint64_t *needed);
 
 /**
  * Writes all edges of the facets that the mesh was given last (nm_mesh_set_facets,

@@ -110,8 +110,8 @@ pub struct Arguments {
     /// VTK's format, and its name ends with .vtu
     #[arg(long, value_name = "FILE")]
     #[arg(conflicts_with_all = [
-        "output", "output_format", "attributes", "filtration", "alpha_shape", "finish", "hierarchical",
-        "json", "validate", "stats", "histogram", "quiet", "sizes", "background"
+        "output", "output_format", "attributes", "filtration", "alpha_shape", "finish",
+        "hierarchical", "json", "validate", "stats", "histogram", "quiet", "sizes", "background"
     ])]
     pub diagnose: Option<PathBuf>,
 

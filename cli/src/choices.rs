@@ -49,8 +49,8 @@ pub enum FormatName {
     Poly,
     /// TetGen's points, facets and regions, a line for each facet, read only (.smesh)
     Smesh,
-    /// Triangles of STL, read as text or binary data; in 3D the boundary is written, with numbers of
-    /// single precision (.stl)
+    /// Triangles of STL, read as text or binary data; in 3D the boundary is written, with numbers
+    /// of single precision (.stl)
     Stl,
     /// Points, polygons and lines of OBJ, read only (.obj)
     Obj,

@@ -48,7 +48,7 @@ def mesh_of(folder):
         min_dihedral=10.0,
         max_edge=0.4,
     )
-# [mesh]
+# [end]
 
 
 # [solve]
@@ -69,7 +69,7 @@ def solve(points, tetrahedra, regions, held):
 def held_by_markers(triangles, markers):
     """Return the vertices of the cold and of the hot patch, with their temperatures."""
     return [(np.unique(triangles[markers == marker]), temperature) for marker, temperature in ((1, 0.0), (2, 5.0))]
-# [solve]
+# [end]
 
 
 def readers(path, vtu):
@@ -90,9 +90,10 @@ def readers(path, vtu):
         print("pyvista: not installed")
     else:
         grid = pyvista.read(vtu)
-        # VTU has no triangles of facets: their markers are those of the file for Gmsh.
-        triangles, markers = cells["triangle"], physical["triangle"]
-        yield "pyvista", grid.points, grid.cells_dict[10], grid.cell_data["region"], triangles, markers
+        is_solid = grid.celltypes == pyvista.CellType.TETRA
+        regions, markers = grid.cell_data["region"][is_solid], grid.cell_data["marker"][~is_solid]
+        by_type = grid.cells_dict
+        yield "pyvista", grid.points, by_type[10], regions, by_type[5], markers
 
 
 def read_by_gmsh(gmsh, path):

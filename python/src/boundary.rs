@@ -147,7 +147,7 @@ pub fn intersections(
 }
 
 /// Fault of an edge, the inputs at its ends, and the number of facets that have it.
-type ToldEdge = (&'static str, [u32; 2], u32);
+type ToldEdge = (&'static str, (u32, u32), u32);
 
 /// Returns the fault, the ends and the number of facets of each edge that is not between two.
 #[pyfunction]
@@ -164,5 +164,5 @@ pub fn odd_edges(
         EdgeFault::Crowded => "crowded",
         EdgeFault::Turned => "turned",
     };
-    Ok(found.iter().map(|edge| (fault(edge.fault), edge.inputs, edge.facets)).collect())
+    Ok(found.iter().map(|edge| (fault(edge.fault), edge.inputs.into(), edge.facets)).collect())
 }

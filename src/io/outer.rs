@@ -18,8 +18,8 @@ pub(super) fn outer_triangles(mesh: &Triangulation) -> impl Iterator<Item = (Sid
     })
 }
 
-/// Returns the sides of tetrahedra at which the mesh ends and that are parts of facets, sorted, with
-/// the markers of their facets. O(n log n) for n triangles of facets.
+/// Returns the sides of tetrahedra at which the mesh ends and that are parts of facets, sorted,
+/// with the markers of their facets. O(n log n) for n triangles of facets.
 pub(super) fn marked_sides(mesh: &Triangulation, markers: &[i32]) -> AllocResult<Vec<(Side, i32)>> {
     let mut found = Vec::new();
     let marked = mesh.boundary.marked_facets(markers);

@@ -30,7 +30,7 @@ impl Mesh {
 
     /// Returns all that keeps the facets from being a closed surface to which a mesh can conform:
     /// the edges that are not between two facets, the pairs that meet in more than they share, the
-    /// facets without an area and the triangles that are there twice. O(n log n) for n inputs of
+    /// facets without an area and the facets that are there twice. O(n log n) for n inputs of
     /// facets, and as for [`Mesh::intersections`].
     ///
     /// # Errors

@@ -347,7 +347,7 @@ mod tests {
             assert_eq!((&*outline.facets.markers, &*outline.markers), (&[0][..], &[0][..]));
             let error = read("uint", ["1", "2147483648"]).unwrap_err();
             let place = match order {
-                "ascii" => "line 15, column 1",
+                "ascii" => "line 16, column 1",
                 _ => "byte 29 after the header",
             };
             let rule = "2147483648 is no marker: a whole number of 32 bits";

@@ -33,6 +33,12 @@ pub struct Arguments {
     /// input, with --input-format
     pub input: PathBuf,
 
+    /// Further file of points, facets and segments, which are meshed together with those of the
+    /// input: points inside, walls, patches of one surface in a file each. Markers of each file are
+    /// raised until they are larger than those before, so that they differ. May be given again
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["attributes", "sizes"])]
+    pub with: Vec<PathBuf>,
+
     /// File for the mesh; its extension names the format. "-" is standard output, with
     /// --output-format; the summary then goes to standard error. Without it only the summary is
     /// made. Of a mesh in 3D .ply and .stl have the boundary; the numbers of .stl have single

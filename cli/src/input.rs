@@ -3,11 +3,22 @@
 use crate::arguments::Arguments;
 use crate::choices::AddedValues;
 use crate::exit_code::{ExitCode, Failure};
+use crate::numbers::counted;
 use crate::standard;
-use netmesh::io::{self, Format, Table};
+use netmesh::io::{self, Choice, Format, Table};
 use netmesh::{Error, ErrorKind, Mesh, Result};
+use std::fmt::Write;
+use std::path::PathBuf;
 
-pub fn read(arguments: &Arguments) -> std::result::Result<Mesh, Failure> {
+/// Input that was read.
+pub struct Input {
+    pub mesh: Mesh,
+    /// Lines about the files of `--with`.
+    pub further: Vec<String>,
+}
+
+/// Reads the input and the files of `--with`.
+pub fn read(arguments: &Arguments) -> std::result::Result<Input, Failure> {
     let reading = |error: Error| {
         let failure = Failure::reading(&standard::input_name(&arguments.input), &error);
         let may_need_columns = error.message().ends_with(NO_OTHER_COLUMNS);
@@ -17,16 +28,41 @@ pub fn read(arguments: &Arguments) -> std::result::Result<Mesh, Failure> {
             _ => failure,
         }
     };
-    mesh(arguments).map_err(reading)
+    let mut table = table(arguments).map_err(reading)?;
+    let append = |path| append(&mut table, path, arguments);
+    let further = arguments.with.iter().map(append).collect::<std::result::Result<_, Failure>>()?;
+    let mesh = table.mesh(arguments.added_values == AddedValues::Linear).map_err(reading)?;
+    Ok(Input { mesh, further })
+}
+
+/// Appends what a further file has; returns a line about it.
+fn append(
+    table: &mut Table,
+    path: &PathBuf,
+    arguments: &Arguments,
+) -> std::result::Result<String, Failure> {
+    let name = path.display().to_string();
+    let choice = Choice { has_points_alone: arguments.points, ..Choice::default() };
+    let further = io::read_table_file(path, Format::Auto, &choice);
+    let further = further.map_err(|error| Failure::reading(&name, &error))?;
+    let facets = table.outline.facets.count();
+    table.append(&further).map_err(|error| Failure::reading(&name, &error.of_content()))?;
+    let points = further.points.coordinates.len() / further.points.dim;
+    let mut line = format!("{name}: {}", counted(points as u64, "point", "points"));
+    let markers = &table.outline.facets.markers[facets..];
+    if let Some((least, largest)) = markers.iter().min().zip(markers.iter().max()) {
+        let range = if least == largest { "marker" } else { "markers" };
+        let count = counted(markers.len() as u64, "facet", "facets");
+        let _ = write!(line, ", {count} with the {range} {least}");
+        if least != largest {
+            let _ = write!(line, " to {largest}");
+        }
+    }
+    Ok(line)
 }
 
 /// End of the library's refusal of `--attributes all` where there are no attributes.
 const NO_OTHER_COLUMNS: &str = "every column of the file is a coordinate";
-
-/// Returns the points of the input with their attributes.
-fn mesh(arguments: &Arguments) -> Result<Mesh> {
-    table(arguments)?.mesh(arguments.added_values == AddedValues::Linear)
-}
 
 fn table(arguments: &Arguments) -> Result<Table> {
     let (choice, format) = (arguments.choice(), arguments.input_format());

@@ -3,7 +3,7 @@
 use crate::arguments::{Arguments, Product};
 use crate::exit_code::{ExitCode, Failure};
 use crate::standard;
-use netmesh::io;
+use netmesh::io::{self, Format};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -36,14 +36,15 @@ fn require_no_input<'a>(
     mut outputs: impl Iterator<Item = &'a PathBuf>,
     arguments: &Arguments,
 ) -> Result<(), Failure> {
-    if arguments.force || standard::is_meant(&arguments.input) {
+    if arguments.force {
         return Ok(());
     }
+    let own = (!standard::is_meant(&arguments.input))
+        .then(|| io::input_path(&arguments.input, arguments.input_format()));
+    let further = arguments.with.iter().map(|path| io::input_path(path, Format::Auto));
     // An input that cannot be read is refused when it is opened, with the reason.
-    let Ok(input) = io::input_path(&arguments.input, arguments.input_format()) else {
-        return Ok(());
-    };
-    match outputs.find(|output| are_same(&input, output)) {
+    let inputs: Vec<PathBuf> = own.into_iter().chain(further).filter_map(Result::ok).collect();
+    match outputs.find(|output| inputs.iter().any(|input| are_same(input, output))) {
         None => Ok(()),
         Some(output) => {
             let message = format!(

@@ -8,7 +8,7 @@ use crate::exit_code::{ExitCode, Failure};
 use crate::filtration;
 use crate::histograms::Histograms;
 use crate::holes;
-use crate::input;
+use crate::input::{self, Input};
 use crate::interruption;
 use crate::output;
 use crate::part;
@@ -32,7 +32,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     output::require_writable(&files)?;
     let display = Display::new(!arguments.quiet);
     let mut times = Times::default();
-    let mut mesh = {
+    let Input { mut mesh, further } = {
         let _stage = display.stage("reading");
         timed(&mut times.read, || input::read(arguments))?
     };
@@ -75,6 +75,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             mesh: &mesh,
             inputs: mesh.inputs(),
             left_out: mesh.left_out(),
+            further: &further,
             filling: filling.as_ref(),
             attributes: mesh.attributes(),
             triangulation,

@@ -32,6 +32,7 @@ pub struct Summary<'a> {
     pub mesh: &'a Mesh,
     pub inputs: &'a Inputs,
     pub left_out: LeftOut,
+    pub further: &'a [String],
     pub filling: Option<&'a HoleFilling>,
     pub attributes: &'a [Attribute],
     pub triangulation: &'a Triangulation,
@@ -46,6 +47,7 @@ impl Summary<'_> {
     pub fn text(&self) -> String {
         let mut lines = Lines::default();
         self.add_input(&mut lines);
+        self.add_further(&mut lines);
         self.add_left_out(&mut lines);
         self.add_attributes(&mut lines);
         self.add_task(&mut lines);
@@ -68,12 +70,26 @@ impl Summary<'_> {
             "input",
             format!(
                 "{}: {} in {}D, {}",
-                standard::input_name(&self.arguments.input),
+                match self.further.len() {
+                    0 => standard::input_name(&self.arguments.input),
+                    more => format!(
+                        "{} and {}",
+                        standard::input_name(&self.arguments.input),
+                        counted(more as u64, "further file", "further files")
+                    ),
+                },
                 counted(self.inputs.count() as u64, "point", "points"),
                 self.inputs.dim(),
                 counted(self.inputs.duplicates() as u64, "duplicate", "duplicates"),
             ),
         );
+    }
+
+    /// Adds the files that the input was meshed together with.
+    fn add_further(&self, lines: &mut Lines) {
+        for (at, line) in self.further.iter().enumerate() {
+            lines.add(if at == 0 { "with" } else { "" }, line.clone());
+        }
     }
 
     /// Adds the elements of a mesh or a surface in the file that are not meshed.

@@ -169,6 +169,43 @@ fn holes_are_closed() {
     }
 }
 
+/// Files are meshed together: patches of a surface, which markers tell apart, and points inside.
+#[test]
+fn further_files_are_meshed_together_with_the_input() {
+    let bench = Workbench::new("facets_further");
+    let open = CUBE.replacen("8 6 0", "8 5 0", 1).replace("4 3 0 4 7\n", "");
+    bench.write("open.off", &open);
+    bench.write("lid.off", "OFF\n4 1 0\n0 1 0\n0 0 0\n0 0 1\n0 1 1\n4 0 1 2 3\n");
+    bench.write("inside.xyz", "0.25 0.5 0.75\n0.5 0.5 0.5\n");
+    bench.write("plane.xyz", "0 0\n1 0\n");
+    let all = "open.off --with lid.off --with inside.xyz";
+    let outcome = bench.run(&format!("{all} --min-dihedral 0 --validate -o cube.node"));
+    outcome.assert_success();
+    for words in [
+        "input       open.off and 2 further files: 14 points in 3D, 4 duplicates\n",
+        "with        lid.off: 4 points, 1 facet with the marker 1\n",
+        "            inside.xyz: 2 points\n",
+        "of what facets enclose",
+        "holds at level 3",
+    ] {
+        assert!(outcome.stdout.contains(words), "no {words:?} in {}", outcome.stdout);
+    }
+    let face = bench.read("cube.face");
+    let marked = |marker: &str| face.lines().filter(|line| line.ends_with(marker)).count();
+    assert!(marked(" 1") >= 2 && marked(" 0") >= 10, "{face}");
+    let outcome = bench.run("open.off --with lid.off --diagnose cube.vtu");
+    outcome.assert_success();
+    assert!(outcome.stdout.contains("edges       0 edges where one facet ends"));
+    for (line, code, words) in [
+        ("open.off --with none.off", 3, "none.off: "),
+        ("open.off --with plane.xyz", 4, "plane.xyz: the points have 2 coordinates; they must"),
+        ("open.off --with lid.off -o lid.off", 2, "lid.off: this is the input"),
+        ("open.off --with lid.off --sizes a.mtr", 2, "cannot be used with"),
+    ] {
+        bench.run(line).assert_failure(code, &[words]);
+    }
+}
+
 /// A domain is meshed to what its facets enclose, and every format has its parts.
 #[test]
 fn a_surface_is_meshed_to_what_it_encloses() {

@@ -32,6 +32,7 @@
 //! **Text that is written** carries the shortest decimal that reads back as the same double, bit by
 //! bit, -0.0 and subnormals included. The same mesh makes the same bytes.
 
+mod append;
 mod attributes;
 mod binary;
 mod buffered;

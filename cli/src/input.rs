@@ -8,7 +8,7 @@ use crate::standard;
 use netmesh::io::{self, Choice, Format, Table};
 use netmesh::{Error, ErrorKind, Mesh, Result};
 use std::fmt::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Input that was read.
 pub struct Input {
@@ -29,7 +29,7 @@ pub fn read(arguments: &Arguments) -> std::result::Result<Input, Failure> {
         }
     };
     let mut table = table(arguments).map_err(reading)?;
-    let append = |path| append(&mut table, path, arguments);
+    let append = |path: &PathBuf| append(&mut table, path, arguments);
     let further = arguments.with.iter().map(append).collect::<std::result::Result<_, Failure>>()?;
     let mesh = table.mesh(arguments.added_values == AddedValues::Linear).map_err(reading)?;
     Ok(Input { mesh, further })
@@ -38,7 +38,7 @@ pub fn read(arguments: &Arguments) -> std::result::Result<Input, Failure> {
 /// Appends what a further file has; returns a line about it.
 fn append(
     table: &mut Table,
-    path: &PathBuf,
+    path: &Path,
     arguments: &Arguments,
 ) -> std::result::Result<String, Failure> {
     let name = path.display().to_string();

@@ -40,6 +40,7 @@ pub use mesh::{
     Intersection, IntersectionKind, LeftOut, Mesh, NONE, Region, Segments, Stats, Subsegment,
     Triangulation, VertexKind,
 };
+pub use nearest::merge_points;
 pub use options::{
     Algorithm, Criterion, Crossings, Extent, GivesWay, Interior, Labels, NetOrdering, Options,
     Output, Phase, Progress, ProgressFn,

@@ -2,6 +2,7 @@
 
 use crate::choices::{AddedValues, FiltrationName, ReadableFormat, WritableFormat};
 use crate::exit_code;
+use crate::merging::parse_ratio;
 use crate::meshing::Meshing;
 use clap::parser::ValueSource;
 use clap::{CommandFactory, FromArgMatches, Parser};
@@ -34,8 +35,9 @@ pub struct Arguments {
     pub input: PathBuf,
 
     /// Further file of points, facets and segments, which are meshed together with those of the
-    /// input: points inside, walls, patches of one surface in a file each. Markers of each file are
-    /// raised until they are larger than those before, so that they differ. May be given again
+    /// input: points inside, walls, patches of one surface in a file each; facets of all are
+    /// triangles, or of all polygons (.poly, .smesh). Markers of each file are raised until they
+    /// are larger than those before, so that they differ. May be given again
     #[arg(long, value_name = "FILE", conflicts_with_all = ["attributes", "sizes"])]
     pub with: Vec<PathBuf>,
 
@@ -125,6 +127,13 @@ pub struct Arguments {
     /// between their corners, before it is meshed or diagnosed. They are bent as little as can be
     #[arg(long, value_name = "EDGES", value_parser = clap::value_parser!(u32).range(3..=1000))]
     pub close_holes: Option<u32>,
+
+    /// Make corners of facets one that are at most RATIO times the diagonal of the surface from
+    /// each other, 0 to 0.001: programs write a point several times, with other roundings.
+    /// Triangles of which two corners become one are left out. Without it equal corners alone are
+    /// one
+    #[arg(long, value_name = "RATIO", value_parser = parse_ratio)]
+    pub merge: Option<f64>,
 
     /// Print nothing but errors. The quality is then not measured (unless --json asks for it),
     /// which takes longer than the meshing of a large input

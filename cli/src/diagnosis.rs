@@ -2,12 +2,13 @@
 
 use crate::arguments::Arguments;
 use crate::exit_code::{ExitCode, Failure};
-use crate::holes;
+use crate::input;
+use crate::merging;
 use crate::numbers::{counted, grouped};
 use crate::standard;
 use netmesh::io::write_diagnosis_file;
 use netmesh::mesh::Diagnosis;
-use netmesh::{EdgeFault, Feature, HoleFilling, Intersection, IntersectionKind, Mesh};
+use netmesh::{EdgeFault, Feature, Intersection, IntersectionKind, Mesh};
 use std::ffi::OsStr;
 use std::fmt::Write;
 use std::path::Path;
@@ -29,11 +30,11 @@ pub fn require(path: &Path) -> Result<(), Failure> {
 /// Returns the text of what was found in a mesh, and writes it into a file.
 pub fn text(
     mesh: &Mesh,
-    filling: Option<&HoleFilling>,
+    repairs: [&Option<String>; 2],
     path: &Path,
     arguments: &Arguments,
 ) -> Result<String, Failure> {
-    let name = standard::input_name(&arguments.input);
+    let name = input::names(arguments);
     let facets = mesh.given_facets();
     if facets.count() == 0 {
         let message = format!("{name}: has no facets; --diagnose is for surfaces");
@@ -48,8 +49,13 @@ pub fn text(
         counted(mesh.inputs().count() as u64, "point", "points"),
         counted(facets.count() as u64, words[0], words[1]),
     );
-    if let Some(filling) = filling {
-        let _ = writeln!(text, "{:<12}{}", "holes", holes::told(filling));
+    let suspicion = merging::suspicion(mesh, arguments);
+    for (label, line) in
+        ["merged", "holes", "points"].iter().zip([repairs[0], repairs[1], &suspicion])
+    {
+        if let Some(line) = line {
+            let _ = writeln!(text, "{label:<12}{line}");
+        }
     }
     add_counts(&mut text, &found, words);
     for pair in found.intersections.iter().take(MOST) {

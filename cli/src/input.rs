@@ -3,6 +3,7 @@
 use crate::arguments::Arguments;
 use crate::choices::AddedValues;
 use crate::exit_code::{ExitCode, Failure};
+use crate::merging;
 use crate::numbers::counted;
 use crate::standard;
 use netmesh::io::{self, Choice, Format, Table};
@@ -15,6 +16,18 @@ pub struct Input {
     pub mesh: Mesh,
     /// Lines about the files of `--with`.
     pub further: Vec<String>,
+    /// Line about corners that `--merge` has made one.
+    pub merged: Option<String>,
+}
+
+/// Returns the name of the input in messages about what was read, with the number of files of
+/// `--with`.
+pub fn names(arguments: &Arguments) -> String {
+    let name = standard::input_name(&arguments.input);
+    match arguments.with.len() {
+        0 => name,
+        more => format!("{name} and {}", counted(more as u64, "further file", "further files")),
+    }
 }
 
 /// Reads the input and the files of `--with`.
@@ -31,8 +44,9 @@ pub fn read(arguments: &Arguments) -> std::result::Result<Input, Failure> {
     let mut table = table(arguments).map_err(reading)?;
     let append = |path: &PathBuf| append(&mut table, path, arguments);
     let further = arguments.with.iter().map(append).collect::<std::result::Result<_, Failure>>()?;
+    let merged = merging::merge(&mut table, arguments)?;
     let mesh = table.mesh(arguments.added_values == AddedValues::Linear).map_err(reading)?;
-    Ok(Input { mesh, further })
+    Ok(Input { mesh, further, merged })
 }
 
 /// Appends what a further file has; returns a line about it.
@@ -45,17 +59,22 @@ fn append(
     let choice = Choice { has_points_alone: arguments.points, ..Choice::default() };
     let further = io::read_table_file(path, Format::Auto, &choice);
     let further = further.map_err(|error| Failure::reading(&name, &error))?;
-    let facets = table.outline.facets.count();
+    let (facets, segments) = (table.outline.facets.count(), table.outline.segments.len());
     table.append(&further).map_err(|error| Failure::reading(&name, &error.of_content()))?;
     let points = further.points.coordinates.len() / further.points.dim;
     let mut line = format!("{name}: {}", counted(points as u64, "point", "points"));
-    let markers = &table.outline.facets.markers[facets..];
-    if let Some((least, largest)) = markers.iter().min().zip(markers.iter().max()) {
-        let range = if least == largest { "marker" } else { "markers" };
-        let count = counted(markers.len() as u64, "facet", "facets");
-        let _ = write!(line, ", {count} with the {range} {least}");
-        if least != largest {
-            let _ = write!(line, " to {largest}");
+    let outline = &table.outline;
+    for (markers, one, many) in [
+        (&outline.facets.markers[facets..], "facet", "facets"),
+        (&outline.markers[segments..], "segment", "segments"),
+    ] {
+        if let Some((least, largest)) = markers.iter().min().zip(markers.iter().max()) {
+            let range = if least == largest { "marker" } else { "markers" };
+            let count = counted(markers.len() as u64, one, many);
+            let _ = write!(line, ", {count} with the {range} {least}");
+            if least != largest {
+                let _ = write!(line, " to {largest}");
+            }
         }
     }
     Ok(line)

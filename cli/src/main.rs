@@ -15,6 +15,7 @@ mod input;
 mod interruption;
 #[cfg(test)]
 mod manual;
+mod merging;
 mod meshing;
 mod numbers;
 mod output;

@@ -10,6 +10,7 @@ use crate::histograms::Histograms;
 use crate::holes;
 use crate::input::{self, Input};
 use crate::interruption;
+use crate::merging;
 use crate::output;
 use crate::part;
 use crate::progress::Display;
@@ -32,14 +33,19 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     output::require_writable(&files)?;
     let display = Display::new(!arguments.quiet);
     let mut times = Times::default();
-    let Input { mut mesh, further } = {
+    let Input { mut mesh, further, merged } = {
         let _stage = display.stage("reading");
         timed(&mut times.read, || input::read(arguments))?
     };
     let filling = holes::close(&mut mesh, arguments)?;
     if let Some(path) = &arguments.diagnose {
         let _stage = display.stage("diagnosing");
-        return print(&diagnosis::text(&mesh, filling.as_ref(), path, arguments)?);
+        return print(&diagnosis::text(
+            &mesh,
+            [&merged, &filling.as_ref().map(holes::told)],
+            path,
+            arguments,
+        )?);
     }
     if let Some(path) = &arguments.size_files.sizes {
         sizes::set(&mut mesh, path)?;
@@ -76,7 +82,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             inputs: mesh.inputs(),
             left_out: mesh.left_out(),
             further: &further,
-            filling: filling.as_ref(),
+            repairs: [&merged, &filling.as_ref().map(holes::told)],
             attributes: mesh.attributes(),
             triangulation,
             quality: &quality,
@@ -178,9 +184,16 @@ fn make(mesh: &mut Mesh, arguments: &Arguments, display: &Display) -> Result<(),
             true
         }),
     );
-    let name = standard::input_name(&arguments.input);
+    let name = input::names(arguments);
     let words = CommandLine { regions: mesh.regions(), delaunay: arguments.delaunay_option() };
-    outcome.map_err(|error| Failure::of_run(&name, &error, words))
+    outcome.map_err(|error| {
+        let failure = Failure::of_run(&name, &error, words);
+        let is_refused = failure.code == ExitCode::InputRefused;
+        match merging::suspicion(mesh, arguments).filter(|_| is_refused) {
+            Some(more) => Failure::new(failure.code, format!("{}; {more}", failure.message)),
+            None => failure,
+        }
+    })
 }
 
 /// Writes what was asked for.

@@ -4,15 +4,15 @@ use crate::alpha_shape::Measured;
 use crate::arguments::Arguments;
 use crate::certificate;
 use crate::histograms::Histograms;
-use crate::holes;
+use crate::input;
 use crate::numbers::{counted, duration, grouped, measure};
 use crate::part;
 use crate::standard;
 use netmesh::quality::Quality;
 use netmesh::validate::Report;
 use netmesh::{
-    Algorithm, Attribute, Criterion, Extent, GivesWay, HoleFilling, Inputs, LeftOut, Mesh,
-    NetOrdering, Output, Triangulation, VertexKind,
+    Algorithm, Attribute, Criterion, Extent, GivesWay, Inputs, LeftOut, Mesh, NetOrdering, Output,
+    Triangulation, VertexKind,
 };
 use std::fmt::Write;
 
@@ -33,7 +33,8 @@ pub struct Summary<'a> {
     pub inputs: &'a Inputs,
     pub left_out: LeftOut,
     pub further: &'a [String],
-    pub filling: Option<&'a HoleFilling>,
+    /// Lines about corners that were merged, and holes that were closed.
+    pub repairs: [&'a Option<String>; 2],
     pub attributes: &'a [Attribute],
     pub triangulation: &'a Triangulation,
     pub quality: &'a Quality,
@@ -70,14 +71,7 @@ impl Summary<'_> {
             "input",
             format!(
                 "{}: {} in {}D, {}",
-                match self.further.len() {
-                    0 => standard::input_name(&self.arguments.input),
-                    more => format!(
-                        "{} and {}",
-                        standard::input_name(&self.arguments.input),
-                        counted(more as u64, "further file", "further files")
-                    ),
-                },
+                input::names(self.arguments),
                 counted(self.inputs.count() as u64, "point", "points"),
                 self.inputs.dim(),
                 counted(self.inputs.duplicates() as u64, "duplicate", "duplicates"),
@@ -207,8 +201,14 @@ impl Summary<'_> {
         let subfacets = counted(boundary.subfacets.len() as u64, "subfacet", "subfacets");
         let subsegments = counted(boundary.subsegments.len() as u64, "subsegment", "subsegments");
         lines.add("facets", format!("{}; {subfacets}, {subsegments}", given.join(", ")));
-        if let Some(filling) = self.filling {
-            lines.add("", holes::told(filling));
+        for line in self.repairs.into_iter().flatten() {
+            lines.add("", line.clone());
+        }
+        let is_auto = self.arguments.options().extent == Extent::Auto;
+        let reaches_on = self.triangulation.parameters.extent == Extent::All;
+        if is_auto && reaches_on && facets.count() > 0 {
+            let why = "they enclose nothing, so that all around them is meshed";
+            lines.add("", format!("{why}; --diagnose tells where they are open"));
         }
         if let Some(told) = part::told(self.arguments, self.mesh) {
             lines.add("", told);

@@ -169,6 +169,46 @@ fn holes_are_closed() {
     }
 }
 
+/// Corners that roundings have driven apart are one where that is asked for; otherwise a refusal
+/// and a diagnosis tell that there are some.
+#[test]
+fn corners_are_merged() {
+    let bench = Workbench::new("facets_merged");
+    // Of the corner (1, 1, 1) two triangles have another one, which differs in the last places.
+    bench.write(
+        "cube.off",
+        "OFF\n9 13 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n\
+         1 1 1.0000000000000004\n3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n\
+         3 1 2 8\n3 1 8 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n3 6 8 5\n",
+    );
+    let hint = "1 corner is within 1e-9 of the diagonal from others; --merge 1e-9 makes them one";
+    bench.run("cube.off --extent boundary").assert_failure(4, &[hint]);
+    let outcome = bench.run("cube.off --diagnose cube.vtu");
+    outcome.assert_success();
+    assert!(outcome.stdout.contains(&format!("\npoints      {hint}\n")), "{}", outcome.stdout);
+    let told = "1 corner merged with others within 1e-9 of the diagonal, 1 triangle left out\n";
+    let outcome = bench.run("cube.off --merge 1e-9 --validate");
+    outcome.assert_success();
+    for words in [told, "of what facets enclose", "holds at level 3"] {
+        assert!(outcome.stdout.contains(words), "no {words:?} in {}", outcome.stdout);
+    }
+    let outcome = bench.run("cube.off --merge 1e-9 --diagnose cube.vtu");
+    outcome.assert_success();
+    for words in [&format!("\nmerged      {told}"), "edges       0 edges where", "12 triangles in"]
+    {
+        assert!(outcome.stdout.contains(words), "no {words:?} in {}", outcome.stdout);
+    }
+    assert!(!outcome.stdout.contains("\npoints "), "{}", outcome.stdout);
+    bench.write("points.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
+    for (line, words) in [
+        ("points.xyz --merge 1e-9", "has no facets; --merge is for surfaces"),
+        ("cube.off --merge 0.01", "it must be a number from 0 to 0.001"),
+        ("cube.off --merge nan", "it must be a number from 0 to 0.001"),
+    ] {
+        bench.run(line).assert_failure(2, &[words]);
+    }
+}
+
 /// Files are meshed together: patches of a surface, which markers tell apart, and points inside.
 #[test]
 fn further_files_are_meshed_together_with_the_input() {

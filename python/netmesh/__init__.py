@@ -22,7 +22,7 @@ from ._errors import (
     OutOfMemoryError,
     StateError,
 )
-from ._facets import close_holes, intersections, odd_edges
+from ._facets import close_holes, intersections, merge_points, odd_edges
 from ._filtration import Filtration
 from ._interpolator import LinearNDInterpolator
 from ._mesh import Mesh, mesh
@@ -82,6 +82,7 @@ __all__ = [
     "VoronoiCells",
     "close_holes",
     "intersections",
+    "merge_points",
     "mesh",
     "odd_edges",
 ]

@@ -13,6 +13,7 @@ from ._boundary import boundary_of
 from ._errors import InvalidArgumentError
 from ._netmesh import close_holes as _close_holes
 from ._netmesh import intersections as _intersections
+from ._netmesh import merge_points as _merge_points
 from ._netmesh import odd_edges as _odd_edges
 from ._results import Intersection, OddEdge
 
@@ -226,3 +227,34 @@ def close_holes(points: Any, facets: Any = None, max_edges: int = 100) -> np.nda
         raise InvalidArgumentError(f"max_edges is {max_edges!r}; it must be a whole number from 3 to 1000")
     found = _close_holes(rows, boundary, int(max_edges))
     return np.array(found, np.int32).reshape(-1, 3)
+
+
+def merge_points(points: Any, ratio: float = 1e-9) -> np.ndarray:
+    """Give points that are nearly others the coordinates of these.
+
+    Programs write a point of a surface several times, with other roundings, so that it is open
+    there and touches itself. Points that are at most `ratio` times the diagonal of the box of all
+    from an earlier one take its place; so do chains of such points.
+
+    Parameters
+    ----------
+    points : array_like of float, shape (n, dim), in 2D or 3D
+    ratio : float, default 1e-9
+        From 0 to 0.001.
+
+    Returns
+    -------
+    ndarray of float64, shape (n, dim)
+        As many points as before, in their order: `mesh` takes equal ones for one.
+
+    Examples
+    --------
+    >>> import netmesh
+    >>> netmesh.merge_points([[0, 0, 0], [1, 0, 0], [1e-17, 0, 3e-33], [0, 1, 0]]).tolist()
+    [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 1.0, 0.0]]
+    """
+    rows = point_rows(points)
+    if not isinstance(ratio, numbers.Real):
+        raise InvalidArgumentError(f"ratio is {ratio!r}; it must be a number from 0 to 0.001")
+    coordinates, _ = _merge_points(rows, float(ratio))
+    return np.array(coordinates, np.float64).reshape(rows.shape)

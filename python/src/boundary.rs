@@ -114,6 +114,20 @@ pub fn close_holes(
     Ok(found.triangles)
 }
 
+/// Returns coordinates with near points made equal, row by row, and how many were moved.
+#[pyfunction]
+pub fn merge_points(
+    py: Python<'_>,
+    points: PyReadonlyArray2<'_, f64>,
+    ratio: f64,
+) -> PyResult<(Vec<f64>, usize)> {
+    let dim = points.as_array().ncols();
+    let mut coordinates: Vec<f64> = points.as_array().iter().copied().collect();
+    let moved = in_default_environment(|| netmesh::merge_points(dim, &mut coordinates, ratio))
+        .map_err(|error| exception_with(py, &error, &[]))?;
+    Ok((coordinates, moved))
+}
+
 /// Kind of a feature, and its number.
 type Named = (&'static str, u32);
 

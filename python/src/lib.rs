@@ -20,7 +20,7 @@ mod voronoi;
 #[pyo3::pymodule]
 mod _netmesh {
     #[pymodule_export]
-    use crate::boundary::{close_holes, intersections, odd_edges};
+    use crate::boundary::{close_holes, intersections, merge_points, odd_edges};
     #[pymodule_export]
     use crate::core::Core;
     #[pymodule_export]

@@ -124,6 +124,24 @@ def test_holes_are_closed():
     assert len(netmesh.close_holes(CUBE)) == 0
 
 
+def test_points_are_merged():
+    doubled = np.array([*CUBE, *CUBE], float)
+    doubled[8:] += 1e-14
+    merged = netmesh.merge_points(doubled)
+    assert merged.dtype == np.float64 and (merged == np.array([*CUBE, *CUBE])).all()
+    assert (netmesh.merge_points(doubled, 0) == doubled).all()
+    assert (netmesh.merge_points(doubled, 1e-15) == doubled).all()
+    apart = np.array(TRIANGLES) + 8 * (np.arange(len(TRIANGLES)) % 2)[:, None]
+    assert netmesh.odd_edges(doubled, apart)
+    assert not netmesh.odd_edges(merged, apart)
+    assert netmesh.mesh(merged, facets=apart).volumes.sum() == pytest.approx(1, abs=1e-12)
+    for ratio in (-1, 0.1, float("nan")):
+        with pytest.raises(netmesh.InvalidArgumentError, match="ratio is .*; it must be from 0 to 0.001"):
+            netmesh.merge_points(doubled, ratio)
+    with pytest.raises(netmesh.InvalidArgumentError, match="dim is 4; points are merged in 2D and 3D"):
+        netmesh.merge_points(np.zeros((5, 4)))
+
+
 @pytest.mark.parametrize("edges", [2, 1001, 4.0, "many", None])
 def test_holes_of_no_size_are_refused(edges):
     with pytest.raises(netmesh.InvalidArgumentError) as error:

@@ -51,11 +51,12 @@ fn require_one_kind(own: &Facets, given: &Facets) -> Result<()> {
         return Ok(());
     }
     let [earlier, later] = match own.are_triangles {
-        true => ["triangles", "other polygons than triangles"],
-        false => ["other polygons than triangles", "triangles"],
+        true => ["triangles of a surface", "polygons"],
+        false => ["polygons", "triangles of a surface"],
     };
     Err(Error::invalid(message!(
-        "the file has {later}, the files before have {earlier}; split polygons into triangles"
+        "the file has {later}, the files before have {earlier}; all must be one or the other \
+         (those of .poly and .smesh are polygons)"
     )))
 }
 
@@ -188,11 +189,11 @@ mod tests {
         let (triangles, square) = (read(TRIANGLES, Format::Off), read(SQUARE, Format::Off));
         let rule = "the points have 2 coordinates; they must have 3, as those of the first file";
         assert_eq!(refusal(&triangles, &read("1 2\n", Format::Xyz)), rule);
-        let rule = "the file has other polygons than triangles, the files before have triangles; \
-                    split polygons into triangles";
+        let rule = "the file has polygons, the files before have triangles of a surface; all must \
+                    be one or the other (those of .poly and .smesh are polygons)";
         assert_eq!(refusal(&triangles, &square), rule);
         assert!(
-            refusal(&square, &triangles).starts_with("the file has triangles, the files before")
+            refusal(&square, &triangles).starts_with("the file has triangles of a surface, the")
         );
         let mut last = triangles.clone();
         last.outline.facets.markers = vec![i32::MAX, 0];

@@ -52,6 +52,7 @@ mod json;
 mod layout;
 mod measures;
 mod medit;
+mod merging;
 mod npy;
 mod obj;
 mod off;
@@ -80,6 +81,7 @@ pub use columns::Columns;
 pub use diagnosis::write_diagnosis_file;
 pub use filtration::{FiltrationFormat, write_filtration, write_filtration_file};
 pub use format::Format;
+pub use merging::Merged;
 pub use surface::{SurfaceFormat, write_surface, write_surface_file};
 pub use values::{Outline, Table};
 

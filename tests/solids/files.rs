@@ -1,7 +1,8 @@
 //! The surfaces and complexes of the data directory.
 
 use super::{assert_holds, bounded};
-use netmesh::io::{Choice, Format, read_table_file};
+use netmesh::io::{Choice, Format, Merged, Table, read_table_file};
+use netmesh::options::Options;
 use std::path::PathBuf;
 
 fn directory(name: &str) -> Option<PathBuf> {
@@ -67,4 +68,22 @@ fn surfaces_conform() {
         let added = check(&directory.join(name), true);
         assert!(added <= most, "{name}: {added} vertices");
     }
+}
+
+/// Holds that a part whose corners roundings have driven apart is closed when they are merged, and
+/// that its certificate holds with the defaults of parts: changes for dihedral angles may put
+/// simplices beyond the bound in the place of those that small angles force.
+#[test]
+fn merged_corners_close_a_part() {
+    let Some(directory) = directory("trimesh") else { return };
+    let path = directory.join("idler_riser.STL");
+    let mut table = read_table_file(&path, Format::Auto, &Choice::default()).unwrap();
+    let odd = |table: &Table| table.mesh(true).unwrap().diagnosis().unwrap();
+    assert!(!odd(&table).edges.is_empty());
+    assert_eq!(table.merge_corners(1e-9).unwrap(), Merged { points: 21, triangles: 0 });
+    assert!(odd(&table).edges.is_empty() && odd(&table).intersections.is_empty());
+    let mut mesh = table.mesh(true).unwrap();
+    let options = Options { coplanar: 0.1, min_dihedral: 10.0, ..bounded(2.0) };
+    mesh.run(&options, None).unwrap_or_else(|error| panic!("{error}"));
+    assert_holds(&mesh);
 }

@@ -138,13 +138,11 @@ fn random_holes_are_closed() {
 #[test]
 fn what_cannot_be_closed_stays_open() {
     let solid = cuboid([0.0; 3], [1.0; 3]);
-    // A triangle alone, and a sheet of two: all that could close them is there.
-    for sheet in [&[[0, 1, 2]][..], &[[0, 1, 2], [1, 3, 2]]] {
-        let mut mesh = surface(&solid.points, sheet, &vec![0; sheet.len()]);
-        let filling = mesh.close_holes(100).unwrap();
-        assert_eq!((filling.holes, filling.open_edges), (0, sheet.len() + 2));
-        assert_eq!(mesh.given_facets().count(), sheet.len());
-    }
+    // A triangle alone: all that could close it is there.
+    let mut mesh = surface(&solid.points, &[[0, 1, 2]], &[0]);
+    let filling = mesh.close_holes(100).unwrap();
+    assert_eq!((filling.holes, filling.open_edges), (0, 3));
+    assert_eq!(mesh.given_facets().count(), 1);
     // Points of a hole on one line, of which every triangle is without an area.
     let points = [[0.0; 3], [1.0, 0.0, 0.0], [3.0, 0.0, 0.0], [0.0, 1.0, 1.0], [0.0, 5.0, 2.0]];
     let fan = [[0, 1, 3], [1, 2, 4], [2, 0, 3]];
@@ -168,4 +166,63 @@ fn what_cannot_be_closed_stays_open() {
         (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) < 0.0
     };
     assert!(filling.triangles.len() == 2 && filling.triangles.iter().all(looks_down));
+}
+
+/// Returns the triangles of a box whose sides are grids of `cells` squares along an edge, without
+/// the squares of the top for which `is_missing`.
+fn grid_box(cells: u32, is_missing: impl Fn(u32, u32) -> bool) -> (Vec<Point>, Vec<[u32; 3]>) {
+    let mut points: Vec<Point> = Vec::new();
+    let mut triangles = Vec::new();
+    let mut number = |x: [u32; 3]| {
+        let point = x.map(f64::from);
+        let at = points.iter().position(|other| *other == point).unwrap_or(points.len());
+        if at == points.len() {
+            points.push(point);
+        }
+        at as u32
+    };
+    for (axis, is_far) in (0..3).flat_map(|axis| [(axis, false), (axis, true)]) {
+        for (i, j) in (0..cells).flat_map(|i| (0..cells).map(move |j| (i, j))) {
+            if axis == 2 && is_far && is_missing(i, j) {
+                continue;
+            }
+            let [a, b, c, d] = [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]].map(|[u, v]| {
+                let mut x = [0; 3];
+                x[axis] = if is_far { cells } else { 0 };
+                (x[(axis + 1) % 3], x[(axis + 2) % 3]) = (u, v);
+                number(x)
+            });
+            let own = if is_far { [[a, b, c], [a, c, d]] } else { [[a, c, b], [a, d, c]] };
+            triangles.extend(own);
+        }
+    }
+    (points, triangles)
+}
+
+/// Holds of all sets of squares that may be missing in a side that the side is whole again, with
+/// nothing there twice, where holes touch and where they go round a square but for a corner.
+#[test]
+fn holes_that_touch_are_closed_each_by_itself() {
+    let is_ring = |set: u32| set == 0b1_1110_1111;
+    let is_missing = |set: u32| move |i: u32, j: u32| set >> (3 * i + j) & 1 == 1;
+    for set in (1..512).filter(|&set| !is_ring(set)) {
+        let (points, triangles) = grid_box(3, is_missing(set));
+        let mut mesh = surface(&points, &triangles, &vec![0; triangles.len()]);
+        let filling = mesh.close_holes(100).unwrap();
+        let found = mesh.diagnosis().unwrap();
+        assert!(filling.open_edges == 0 && found.edges.is_empty(), "{set:b}: {:?}", found.edges);
+        assert!(found.intersections.is_empty(), "{set:b}: {:?}", found.intersections);
+    }
+    // Four holes round a square, and half of all squares.
+    for (cells, is_missing) in [
+        (4, (|i, j| [(1, 1), (2, 0), (2, 2), (3, 1)].contains(&(i, j))) as fn(u32, u32) -> bool),
+        (6, |i, j| (i + j) % 2 == 0),
+    ] {
+        let (points, triangles) = grid_box(cells, is_missing);
+        let mut mesh = surface(&points, &triangles, &vec![0; triangles.len()]);
+        let filling = mesh.close_holes(4).unwrap();
+        assert_eq!(filling.triangles.len(), 2 * filling.holes);
+        let found = mesh.diagnosis().unwrap();
+        assert!(found.edges.is_empty() && found.intersections.is_empty(), "{cells}");
+    }
 }

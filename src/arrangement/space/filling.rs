@@ -28,13 +28,15 @@ struct Best {
 }
 
 /// Returns triangles between the vertices of `hole` that run through its edges in its direction;
-/// `None` if every triangulation has one without an area. O(k^3) for k vertices.
+/// `None` if every triangulation has one without an area, or an edge inside that `is_taken`. A
+/// vertex may be there several times. O(k^3) for k vertices.
 ///
 /// # Errors
 /// `OutOfMemory`, and those of `poll`.
 pub(super) fn triangles(
     points: &[[f64; 3]],
     hole: &[u32],
+    is_taken: &dyn Fn([u32; 2]) -> bool,
     poll: Poll<'_>,
 ) -> Result<Option<Vec<[u32; 3]>>> {
     let count = hole.len();
@@ -44,6 +46,11 @@ pub(super) fn triangles(
             poll(length as u32)?;
             let last = first + length;
             let mut best = Best { cost: IMPOSSIBLE, apex: 0 };
+            let is_inner = length + 1 < count;
+            if is_inner && (hole[first] == hole[last] || is_taken([hole[first], hole[last]])) {
+                table.best[first * count + last] = best;
+                continue;
+            }
             for apex in first + 1..last {
                 let cost = table.cost(points, hole, [first, apex, last]);
                 if cost < best.cost {

@@ -28,14 +28,18 @@ pub fn find_odd_edges(inputs: &Inputs, facets: &Facets, poll: Poll<'_>) -> Resul
     };
     let pieces = Pieces::new(&points, &task, &Isolated::default(), poll)?;
     let triangles = collected(pieces.all.iter().filter_map(Piece::triangle))?;
-    let facets = collected(pieces.all.iter().filter(|one| one.triangle().is_some()))?;
+    let facets: Vec<&Piece> = collected(pieces.all.iter().filter(|one| one.triangle().is_some()))?;
     let mut found = Vec::new();
+    let mut own = Vec::new();
     for group in Sides::of_triangles(&triangles)?.groups() {
-        let facet = |side: &Side| facets[side.triangle as usize].facet();
+        own.clear();
+        for side in group.iter().filter(|side| !is_inner(&facets, side)) {
+            own.try_push(*side)?;
+        }
+        let group = &own[..];
         let fault = match group {
+            [] => continue,
             [_] => EdgeFault::Open,
-            // Between triangles of one facet.
-            [a, b] if facet(a) == facet(b) => continue,
             [a, b] if a.runs_up(&triangles) == b.runs_up(&triangles) => EdgeFault::Turned,
             [_, _] => continue,
             _ => EdgeFault::Crowded,
@@ -47,4 +51,9 @@ pub fn find_odd_edges(inputs: &Inputs, facets: &Facets, poll: Poll<'_>) -> Resul
     }
     found.sort_unstable();
     Ok(found)
+}
+
+/// Returns true if a side is between two triangles of one facet.
+fn is_inner(facets: &[&Piece], side: &Side) -> bool {
+    facets[side.triangle as usize].inner >> (0b111 & !(1 << side.opposite)) & 1 == 1
 }

@@ -93,15 +93,18 @@ impl<const D: usize> State<D> {
         may_be && self.short_edge(simplex, radius).is_some()
     }
 
-    /// Returns true if a live simplex of the domain is beyond the bound, and the guard of facets
-    /// leaves it so though no small angle excuses it: near to many edges and crossings of surfaces
-    /// it would be split far below what there is.
+    /// Returns true if a live simplex of the domain is beyond the bound though no small angle
+    /// excuses it. The guard of facets leaves some so, near to many edges and crossings of
+    /// surfaces, that would be split far below what there is; and changes for dihedral angles put
+    /// such a one in the place of one that is excused.
     pub(in crate::netmesh) fn is_left_at_no_angle(&self, simplex: SimplexId) -> bool {
-        let is_left =
-            |state: &State<3>| state.facets.is_kept(simplex) && !state.has_small_angle(simplex);
+        let Some(state) = self.as_space() else { return false };
+        if self.delaunay.complex().is_infinite(simplex) {
+            return false;
+        }
         let regions = &self.segments.regions;
-        let is_inside = || regions.of(simplex).is_some_and(|one| regions.is_inside[one as usize]);
-        self.as_space().is_some_and(is_left) && is_inside() && self.is_bad_but_forced(simplex)
+        let is_inside = regions.of(simplex).is_some_and(|one| regions.is_inside[one as usize]);
+        is_inside && self.is_bad_but_forced(simplex) && !state.has_small_angle(simplex)
     }
 
     /// Returns true if two vertices are on different lines that meet at a sharp angle, equally far

@@ -37,15 +37,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let _stage = display.stage("reading");
         timed(&mut times.read, || input::read(arguments))?
     };
-    let filling = holes::close(&mut mesh, arguments)?;
+    let closed = holes::close(&mut mesh, arguments)?;
     if let Some(path) = &arguments.diagnose {
         let _stage = display.stage("diagnosing");
-        return print(&diagnosis::text(
-            &mesh,
-            [&merged, &filling.as_ref().map(holes::told)],
-            path,
-            arguments,
-        )?);
+        return print(&diagnosis::text(&mesh, [&merged, &closed], path, arguments)?);
     }
     if let Some(path) = &arguments.size_files.sizes {
         sizes::set(&mut mesh, path)?;
@@ -82,7 +77,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             inputs: mesh.inputs(),
             left_out: mesh.left_out(),
             further: &further,
-            repairs: [&merged, &filling.as_ref().map(holes::told)],
+            repairs: [&merged, &closed],
             attributes: mesh.attributes(),
             triangulation,
             quality: &quality,

@@ -2,16 +2,14 @@
 //! triangles that close them.
 
 use super::filling;
-use super::isolated::Isolated;
 use super::pieces::{Piece, Pieces};
 use super::projection::normal;
 use super::sides::{Side, Sides};
-use super::{TaskInSpace, points_of};
+use super::{as_given, points_of};
 use crate::arrangement::poll::Poll;
 use crate::error::Result;
 use crate::memory::{AllocResult, Lists, TryGrow, collected, copied, filled, with_capacity};
 use crate::mesh::{Facets, HoleFilling, Inputs, NONE, Segments};
-use crate::options::{Crossings, Extent};
 
 /// Returns the triangles that close the holes of facets that have at most `max_edges` edges. Each
 /// has the corners of its hole alone, and runs through the edges of the hole against the facets
@@ -29,16 +27,7 @@ pub fn fill_holes(
     poll: Poll<'_>,
 ) -> Result<HoleFilling> {
     let points = points_of(inputs)?;
-    let task = TaskInSpace {
-        inputs,
-        facets,
-        segments: &Segments::default(),
-        regions: &[],
-        coplanar: 0.0,
-        extent: Extent::All,
-        crossings: Crossings::Refuse,
-    };
-    let pieces = Pieces::new(&points, &task, &Isolated::default(), poll)?;
+    let pieces = as_given(&points, inputs, facets, &Segments::default(), poll)?;
     let rim = Rim::of(&pieces, facets)?;
     let (mut found, mut closed) = (HoleFilling::default(), 0);
     for hole in rim.holes(&points)? {

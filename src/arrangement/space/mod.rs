@@ -171,11 +171,23 @@ pub fn find_intersections(
     poll: Poll<'_>,
 ) -> Result<Vec<Intersection>> {
     let points = points_of(inputs)?;
+    let pieces = as_given(&points, inputs, facets, segments, poll)?;
+    intersections::all(&points, &pieces, poll)
+}
+
+/// Returns the pieces of facets and segments as they were given, of which nothing is merged, split
+/// or led through other inputs.
+fn as_given(
+    points: &[[f64; 3]],
+    inputs: &Inputs,
+    facets: &Facets,
+    segments: &Segments,
+    poll: Poll<'_>,
+) -> Result<Pieces> {
     let (regions, coplanar, extent) = (&[], 0.0, Extent::All);
     let crossings = Crossings::Refuse;
     let task = TaskInSpace { inputs, facets, segments, regions, coplanar, extent, crossings };
-    let pieces = Pieces::new(&points, &task, &Isolated::default(), poll)?;
-    intersections::all(&points, &pieces, poll)
+    Pieces::new(points, &task, &Isolated::default(), poll)
 }
 
 fn points_of(inputs: &Inputs) -> AllocResult<Vec<[f64; 3]>> {

@@ -1,14 +1,12 @@
 //! Edges of facets that are not between two facets, with these on different sides.
 
-use super::isolated::Isolated;
-use super::pieces::{Piece, Pieces};
+use super::pieces::Piece;
 use super::sides::{Side, Sides};
-use super::{TaskInSpace, points_of};
+use super::{as_given, points_of};
 use crate::arrangement::poll::Poll;
 use crate::error::Result;
 use crate::memory::{TryGrow, collected};
 use crate::mesh::{EdgeFault, Facets, Inputs, OddEdge, Segments};
-use crate::options::{Crossings, Extent};
 
 /// Returns the edges of facets that are not one of two facets that run through them in opposite
 /// directions, sorted. Triangles without an area have no edges. O(n log n).
@@ -17,16 +15,7 @@ use crate::options::{Crossings, Extent};
 /// `OutOfMemory`, and those of `poll`.
 pub fn find_odd_edges(inputs: &Inputs, facets: &Facets, poll: Poll<'_>) -> Result<Vec<OddEdge>> {
     let points = points_of(inputs)?;
-    let task = TaskInSpace {
-        inputs,
-        facets,
-        segments: &Segments::default(),
-        regions: &[],
-        coplanar: 0.0,
-        extent: Extent::All,
-        crossings: Crossings::Refuse,
-    };
-    let pieces = Pieces::new(&points, &task, &Isolated::default(), poll)?;
+    let pieces = as_given(&points, inputs, facets, &Segments::default(), poll)?;
     let triangles = collected(pieces.all.iter().filter_map(Piece::triangle))?;
     let facets: Vec<&Piece> = collected(pieces.all.iter().filter(|one| one.triangle().is_some()))?;
     let mut found = Vec::new();

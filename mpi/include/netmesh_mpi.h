@@ -554,9 +554,9 @@ extern "C" {
  * its simplices, and those of vertices where inputs have other indices.
  *
  * Always refused: of the options algorithm other than NM_ALGORITHM_NETMESH, extent other than
- * NM_EXTENT_ALL, values of interior, crossings and coplanar other than their defaults, instruments,
- * max_edge, size, distance_ratio and min_dihedral, on one rank too. There are no segments, regions, sizes at
- * points or attributes.
+ * NM_EXTENT_ALL, values of interior, crossings, coplanar and labels other than their defaults,
+ * instruments, max_edge, size, distance_ratio and min_dihedral, on one rank too. There are no segments,
+ * regions, sizes at points or attributes.
  *
  * Small inputs are not shared out evenly. On 4 ranks the one with most has 1.2 times its share of the
  * simplices at 16,000 inputs in 2D, and 1.5 times at 60,000 in 3D; of 4,000 in 3D it has nearly all.

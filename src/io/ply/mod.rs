@@ -348,7 +348,7 @@ mod tests {
             let error = read("uint", ["1", "2147483648"]).unwrap_err();
             let place = match order {
                 "ascii" => "line 16, column 1",
-                _ => "byte 29 after the header",
+                _ => "byte 30 after the header",
             };
             let rule = "2147483648 is no marker: a whole number of 32 bits";
             assert_eq!(error.message(), format!("{place}: {rule}"));

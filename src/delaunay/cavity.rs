@@ -18,6 +18,8 @@ pub(crate) struct Cavity {
     /// Finite vertices of `simplices`: all of the first simplex, then of each further one the
     /// vertex opposite the facet through which the search reached it.
     pub vertices: VertexSet,
+    /// False if simplices in conflict were left out. The facets to these are not in `boundary`.
+    pub is_whole: bool,
     /// Number of the search that marked `simplices`.
     pub(super) search: u32,
     /// Simplices in conflict that the search has found.
@@ -34,6 +36,7 @@ struct Found {
 impl Cavity {
     fn restart(&mut self, search: u32) {
         self.search = search;
+        self.is_whole = true;
         self.simplices.clear();
         self.boundary.clear();
         self.starts.clear();
@@ -59,6 +62,20 @@ impl<const D: usize> Delaunay<D> {
         q: &[f64; D],
         cavity: &mut Cavity,
     ) -> AllocResult<()> {
+        self.find_cavity_within(start, q, cavity, |_, _| true)
+    }
+
+    /// Collects the simplices in conflict with `q` that are connected with `start`, which is one of
+    /// them, by others that `may_go` is true of, which is told how many were found before. Where
+    /// some in conflict are beside these, the cavity is not whole.
+    #[inline(always)]
+    pub fn find_cavity_within(
+        &mut self,
+        start: SimplexId,
+        q: &[f64; D],
+        cavity: &mut Cavity,
+        may_go: impl Fn(SimplexId, usize) -> bool,
+    ) -> AllocResult<()> {
         let Self { complex, points, balls, exact_fallbacks, .. } = self;
         let mut search = Search {
             marking: complex.marking(),
@@ -79,6 +96,10 @@ impl<const D: usize> Delaunay<D> {
         let mut next = 0;
         while let Some(&Found { simplex, entry }) = cavity.queue.get(next) {
             next += 1;
+            if !may_go(simplex, cavity.simplices.len()) {
+                cavity.is_whole = false;
+                continue;
+            }
             if let Some(ahead) = cavity.queue.get(next) {
                 search.prefetch_neighbors(ahead.simplex);
             }

@@ -49,6 +49,17 @@ impl<const D: usize> Delaunay<D> {
     /// Returns false if the vertex is on the hull. O(s v) for s simplices of the filling and v
     /// vertices round it.
     pub fn find_hole(&mut self, vertex: VertexId, hole: &mut Hole<D>) -> AllocResult<bool> {
+        self.find_small_hole(vertex, usize::MAX, hole)
+    }
+
+    /// Finds the hole as [`Self::find_hole`] does, and returns false as well if the vertex has more
+    /// than `most` neighbours: before it looks for simplices.
+    pub fn find_small_hole(
+        &mut self,
+        vertex: VertexId,
+        most: usize,
+        hole: &mut Hole<D>,
+    ) -> AllocResult<bool> {
         self.complex.star(vertex, &mut hole.star)?;
         hole.boundary.clear();
         hole.filling.clear();
@@ -71,6 +82,9 @@ impl<const D: usize> Delaunay<D> {
             for &other in vertices.iter().filter(|&&other| other != vertex) {
                 hole.vertices.insert(other)?;
             }
+        }
+        if hole.vertices.ids.len() > most {
+            return Ok(false);
         }
         // Every simplex is one of the finitely many that the vertices round the hole have, and none
         // comes twice.

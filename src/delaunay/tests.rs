@@ -289,6 +289,45 @@ fn too_many_simplices_are_refused() {
     }
 }
 
+/// Holds that a search leaves out what it may not enter, and what that alone leads to, unless few
+/// were found before; and that the cavity tells so.
+#[test]
+fn cavities_end_where_a_search_may_not_go() {
+    let mut random = Random(11);
+    let mut point = || -> [f64; 3] { std::array::from_fn(|_| random.unit()) };
+    let points: Vec<[f64; 3]> = (0..300).map(|_| point()).collect();
+    let mut delaunay = triangulate(&points).unwrap();
+    let near = delaunay.complex().incident(VertexId::new(0));
+    let (mut whole, mut part) = (Cavity::default(), Cavity::default());
+    let set = |cavity: &Cavity| BTreeSet::from_iter(cavity.simplices.iter().copied());
+    let mut parts = 0;
+    for round in 0..300 {
+        let q = point();
+        let Some(start) = delaunay.locate(near, &q) else { continue };
+        delaunay.find_cavity(start, &q, &mut whole).unwrap();
+        assert!(whole.is_whole);
+        let may_go = |simplex: SimplexId| simplex.index() % 3 != round % 3;
+        delaunay.find_cavity_within(start, &q, &mut part, |simplex, _| may_go(simplex)).unwrap();
+        let (mut expected, mut waiting) = (BTreeSet::from([start]), vec![start]);
+        while let Some(simplex) = waiting.pop() {
+            for &beyond in delaunay.complex().neighbors(simplex) {
+                let is_new = set(&whole).contains(&beyond) && may_go(beyond);
+                if is_new && expected.insert(beyond) {
+                    waiting.push(beyond);
+                }
+            }
+        }
+        assert_eq!(set(&part), expected);
+        assert_eq!(part.is_whole, expected == set(&whole));
+        parts += usize::from(!part.is_whole);
+        let few = |simplex: SimplexId, found: usize| found < 5 || may_go(simplex);
+        delaunay.find_cavity_within(start, &q, &mut part, few).unwrap();
+        assert!(part.simplices.len() >= whole.simplices.len().min(5));
+        assert!(set(&part).is_superset(&expected) && set(&part).is_subset(&set(&whole)));
+    }
+    assert!(parts > 100, "{parts}");
+}
+
 #[test]
 fn location_counts_the_balls_it_tests() {
     let points = [[0.0, 0.0], [8.0, 0.0], [0.0, 8.0], [-8.0, -8.0], [30.0, -30.0], [60.0, -64.0]];

@@ -223,6 +223,24 @@ fn vertices_of_the_hull_stay() {
 }
 
 #[test]
+fn holes_with_many_vertices_are_not_filled() {
+    let mut changing = Changing::new(&around::<3>());
+    let mut random = Random(5);
+    for _ in 0..12 {
+        let vertex = changing.delaunay.add_point(uniform(&mut random)).unwrap();
+        assert!(changing.insert(vertex));
+    }
+    let vertex = VertexId::new(9);
+    let Changing { delaunay, hole, .. } = &mut changing;
+    assert!(delaunay.find_hole(vertex, hole).unwrap());
+    let (neighbors, simplices) = (hole.vertices.ids.len(), hole.filling.len());
+    assert!(!delaunay.find_small_hole(vertex, neighbors - 1, hole).unwrap());
+    assert_eq!(hole.filling.len(), 0);
+    assert!(delaunay.find_small_hole(vertex, neighbors, hole).unwrap());
+    assert_eq!(hole.filling.len(), simplices);
+}
+
+#[test]
 fn removals_that_ids_run_out_for_leave_the_complex() {
     let mut changing = Changing::new(&around::<3>());
     let mut random = Random(3);

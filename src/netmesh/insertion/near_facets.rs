@@ -6,6 +6,7 @@ use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::memory::{AllocResult, TryGrow};
 use crate::netmesh::state::State;
+use crate::netmesh::state::facets::NearBoundary;
 use crate::netmesh::state::facets::faces::{EDGES, FACES};
 use crate::numerics::{distance, in_diametral_ball};
 
@@ -38,9 +39,15 @@ impl State<3> {
                 cavity.starts.get(at + 1).map_or(cavity.boundary.len(), |&next| next as usize);
             let outer = &cavity.boundary[first..last];
             for (index, face) in FACES.iter().enumerate() {
-                let Some(subfacet) = facets.face(&face.map(|i| vertices[i])) else { continue };
                 let is_crossed = !outer.iter().any(|facet| facet.index as usize == index);
-                near.subfacets.try_push((subfacet, is_crossed))?;
+                // A face inside of a whole cavity comes with the simplex on either side.
+                let comes_again = || cavity.is_whole && complex.neighbors(simplex)[index] < simplex;
+                if !face.iter().all(|&i| on[i]) || is_crossed && comes_again() {
+                    continue;
+                }
+                if let Some(subfacet) = facets.face(&face.map(|i| vertices[i])) {
+                    near.subfacets.try_push((subfacet, is_crossed))?;
+                }
             }
         }
         for all in [&mut near.subsegments, &mut near.subfacets] {
@@ -83,9 +90,9 @@ impl State<3> {
     }
 
     /// Finds the subsegments and subfacets that a point with `cavity` would encroach or cross, and
-    /// returns true if there are any. [`NearBoundary`] has them, the others are gone from it.
-    ///
-    /// [`NearBoundary`]: crate::netmesh::state::facets::NearBoundary
+    /// returns true if there are any. [`NearBoundary`] has them, the others are gone from it. Of a
+    /// cavity that is not whole what is beyond does not count: whether all simplices at a
+    /// subsegment are in conflict is not known then.
     pub(in crate::netmesh) fn find_encroached_in_space(
         &mut self,
         x: &[f64; 3],
@@ -96,7 +103,7 @@ impl State<3> {
         near.subsegments.retain(|&(subsegment, is_crossed)| {
             let [a, b] = self.segments.chains.get(subsegment).ends;
             let [a, b] = [a, b].map(|end: VertexId| self.delaunay.point(end));
-            is_crossed || in_diametral_ball(a, b, x).is_positive()
+            is_crossed && cavity.is_whole || in_diametral_ball(a, b, x).is_positive()
         });
         near.subfacets
             .retain(|&(subfacet, is_crossed)| is_crossed || self.is_in_circle(subfacet, x));
@@ -106,18 +113,36 @@ impl State<3> {
     }
 
     /// Sorts what a point encroaches by how deep it is in the ball, relative to the ball's radius.
-    pub(in crate::netmesh) fn sort_near_by_depth(&mut self, x: &[f64; 3]) {
+    pub(in crate::netmesh) fn sort_near_by_depth(&mut self, x: &[f64; 3]) -> AllocResult<()> {
         let mut near = std::mem::take(&mut self.facets.near);
-        near.subsegments.sort_unstable_by_key(|&(subsegment, _)| {
+        let NearBoundary { subsegments, subfacets, depths } = &mut near;
+        sort_by_key(subsegments, depths, |subsegment| {
             let [a, b] = self.segments.chains.get(subsegment).ends;
             let [a, b] = [a, b].map(|end: VertexId| self.delaunay.point(end));
             let middle = std::array::from_fn(|k| 0.5 * a[k] + 0.5 * b[k]);
-            ((distance(x, &middle) / distance(a, b)).to_bits(), subsegment)
-        });
-        near.subfacets.sort_unstable_by_key(|&(subfacet, _)| {
+            distance(x, &middle) / distance(a, b)
+        })?;
+        sort_by_key(subfacets, depths, |subfacet| {
             let (center, radius) = self.circle_of(subfacet);
-            ((distance(x, &center) / radius).to_bits(), subfacet)
-        });
+            distance(x, &center) / radius
+        })?;
         self.facets.near = near;
+        Ok(())
     }
+}
+
+/// Sorts parts of the boundary by a number that is not negative, and those with the same by their
+/// own. The number of each is asked for once.
+fn sort_by_key(
+    parts: &mut Vec<(u32, bool)>,
+    keys: &mut Vec<(u64, (u32, bool))>,
+    key: impl Fn(u32) -> f64,
+) -> AllocResult<()> {
+    keys.clear();
+    for &part in parts.iter() {
+        keys.try_push((key(part.0).to_bits(), part))?;
+    }
+    keys.sort_unstable();
+    parts.clear();
+    keys.iter().try_for_each(|&(_, part)| parts.try_push(part))
 }

@@ -79,14 +79,19 @@ impl<const D: usize> Mesher<'_, '_, D> {
     ) -> Result<Encroachment> {
         let place = std::array::from_fn(|axis| x[axis]);
         let Some(state) = self.state.in_space() else { return Ok(Encroachment::None) };
-        if !state.find_encroached_in_space(&place, cavity)? {
+        let mut is_any = state.find_encroached_in_space(&place, cavity)?;
+        if !is_any && !cavity.is_whole {
+            state.delaunay.find_cavity(simplex, &place, cavity)?;
+            is_any = state.find_encroached_in_space(&place, cavity)?;
+        }
+        if !is_any {
             return Ok(Encroachment::None);
         }
         let guard = state.keep_large(simplex, purpose)?;
         if state.facets.near.is_empty() {
             return Ok(Encroachment::Refused);
         }
-        state.sort_near_by_depth(&place);
+        state.sort_near_by_depth(&place)?;
         let near = std::mem::take(&mut state.facets.near);
         let is_split = self.split_some_of(&near, guard, cavity)?;
         if let Some(state) = self.state.in_space() {

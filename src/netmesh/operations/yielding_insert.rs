@@ -10,6 +10,10 @@ use crate::netmesh::questions::steiner_point::SteinerPoint;
 use crate::netmesh::state::facets::floors::Purpose;
 use crate::netmesh::state::{Mesher, State};
 
+/// Number of conflicts from which on those in another region than the simplex' own do not count:
+/// the walls on the way there are nearer, and are split first.
+const MOST_BEYOND: usize = 256;
+
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Inserts the Steiner point for `simplex`, or the input that it yields to (YIELDINGINSERT).
     pub(in crate::netmesh) fn refine_corner(
@@ -46,7 +50,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
             self.state.refine_list.limit(simplex);
             return Ok(());
         };
-        self.state.delaunay.find_cavity(simplex, &x, cavity)?;
+        match self.state.as_space() {
+            Some(_) => self.state.find_cavity_in_region(simplex, &x, MOST_BEYOND, cavity)?,
+            None => self.state.delaunay.find_cavity(simplex, &x, cavity)?,
+        }
         if !self.state.may_replace_cavity(cavity) {
             return Ok(self.state.block(simplex)?);
         }

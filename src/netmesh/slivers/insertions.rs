@@ -62,7 +62,11 @@ impl Mesher<'_, '_, 3> {
                 Some(last) => last.gain,
                 None => least,
             };
-            self.state.delaunay.find_cavity(sliver.simplex, &x, &mut slivers.cavity)?;
+            // Where conflicts reach another region, the wall between would go.
+            self.state.find_cavity_in_region(sliver.simplex, &x, 0, &mut slivers.cavity)?;
+            if !slivers.cavity.is_whole {
+                continue;
+            }
             if let Some((gain, is_clean)) = self.judge_insertion(&x, least, slivers)? {
                 let at = best.iter().position(|other| other.gain < gain).unwrap_or(best.len());
                 best.truncate(most - 1);

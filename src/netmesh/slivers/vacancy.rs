@@ -96,7 +96,7 @@ pub(super) fn may_leave(
     vertex: VertexId,
     hole: &mut Hole<3>,
 ) -> AllocResult<bool> {
-    Ok(delaunay.find_hole(vertex, hole)? && hole.vertices.ids.len() <= MOST_NEIGHBORS)
+    delaunay.find_small_hole(vertex, MOST_NEIGHBORS, hole)
 }
 
 impl Vacancy {

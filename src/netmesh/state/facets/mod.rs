@@ -65,6 +65,8 @@ pub(in crate::netmesh) struct Facets {
 pub(in crate::netmesh) struct NearBoundary {
     pub subsegments: Vec<(u32, bool)>,
     pub subfacets: Vec<(u32, bool)>,
+    /// Place for the keys of a sort.
+    pub depths: Vec<(u64, (u32, bool))>,
 }
 
 impl NearBoundary {

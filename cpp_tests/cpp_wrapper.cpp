@@ -170,6 +170,7 @@ void defaults() {
     CHECK(ours.extent == library.extent && ours.crossings == library.crossings);
     CHECK(ours.interior == library.interior);
     CHECK(ours.max_edge == library.max_edge && !ours.size && library.size == nullptr);
+    CHECK(ours.size_from_curvature == library.size_from_curvature);
     CHECK(ours.min_dihedral == library.min_dihedral && ours.gives_way == library.gives_way);
 }
 
@@ -194,6 +195,7 @@ void every_option_arrives() {
     refused(__LINE__, "min_angle", [](options& o) { o.min_angle = 20; });  // in 2D only
     refused(__LINE__, "min_dihedral", [](options& o) { o.min_dihedral = -1; });
     refused(__LINE__, "max_edge", [](options& o) { o.max_edge = -1; });
+    refused(__LINE__, "size_from_curvature", [](options& o) { o.size_from_curvature = 1; });  // of facets
     refused(__LINE__, "size answers", [](options& o) {
         o.output = NM_OUTPUT_WELL_SPACED;
         o.size = [](const double*) { return 0.0; };
@@ -462,6 +464,16 @@ void holes() {
     expect_failure(__LINE__, NM_INVALID_ARGUMENT, "max_edges", mesh.try_close_holes(2));
 }
 
+// A corner that was written twice, with other roundings, is one.
+void corners() {
+    std::vector<double> points(cube.begin(), cube.end());
+    points.insert(points.end(), {cube[0] + 1e-15, cube[1], cube[2]});
+    CHECK_EQUAL(netmesh::merge_points(3, points), 1u);
+    CHECK_EQUAL(points[24], cube[0]);
+    expect_failure(__LINE__, NM_INVALID_ARGUMENT, "ratio", netmesh::try_merge_points(3, points, 0.5));
+    expect_failure(__LINE__, NM_INVALID_ARGUMENT, "coordinates", netmesh::try_merge_points(2, points));
+}
+
 // Facets that cannot be are refused, and those that cross are told.
 void facets_in_need() {
     netmesh::mesh mesh(3, cube);
@@ -513,5 +525,6 @@ int main(int count, char** arguments) {
     facets_in_need();
     facets();
     holes();
+    corners();
     return check::result("cpp_wrapper");
 }

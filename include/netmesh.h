@@ -145,11 +145,11 @@
       0, NM_GIVES_WAY_ANGLE, NM_EXTENT_AUTO, NM_INTERIOR_AUTO, \
       NM_CROSSINGS_REFUSE, 0, NM_LABELS_SEEDS, 0, \
       0, 0, 0, 0, \
-      NM_OUTPUT_AUTO, NM_ALGORITHM_NETMESH, 1, 0, \
+      0, NM_OUTPUT_AUTO, NM_ALGORITHM_NETMESH, 1, \
       0, 0, 0, 0, \
-      NM_ORDERING_SAMPLED_NET, 0, 0, 0, \
+      0, NM_ORDERING_SAMPLED_NET, 0, 0, \
       0, 0, 0, 0, \
-      0 }
+      0, 0 }
 /** The initial value of an nm_left_out. */
 #define NM_LEFT_OUT_INIT { sizeof(nm_left_out), 0, 0, 0, 0 }
 /** The initial value of an nm_closed_holes. */
@@ -1349,7 +1349,8 @@ typedef struct nm_options {
      */
     nm_interior interior;
     /**
-     * Treatment of segments in 2D that cross where no input is. Default NM_CROSSINGS_REFUSE.
+     * Treatment of segments, in 3D of facets too, that cross where no input is. Default
+     * NM_CROSSINGS_REFUSE.
      */
     nm_crossings crossings;
     /**
@@ -1376,6 +1377,17 @@ typedef struct nm_options {
      * allows. For NM_ALGORITHM_NETMESH, not with NM_OUTPUT_HIERARCHICAL. Above 0, default 0: none.
      */
     double max_edge;
+    /**
+     * Largest distance of the middle of an edge from the round surface that facets approximate, in
+     * 3D: edges are chords of it. Facets that bend by at most 50 degrees have the radius R of a
+     * cylinder of facets that are as wide and bend as much; there the size is the length of the
+     * chord, the root of 4 * size_from_curvature * (2 * R - size_from_curvature), or twice
+     * size_from_curvature where R is less. From there sizes grow by half of the distance. Facets
+     * stay as they are: the vertices that come lie on them. On the same conditions as size, with
+     * which both count; needs facets (nm_mesh_set_facets, nm_mesh_set_triangles, or the extents
+     * hull and box). Above 0, default 0: none.
+     */
+    double size_from_curvature;
     /**
      * Largest reach of the cell of a vertex, relative to the distance from the vertex to the
      * nearest input, unless that input is the nearest one everywhere in the cell; for filtrations
@@ -2064,6 +2076,31 @@ typedef int32_t (*nm_write_fn)(const void *data, size_t size, void *user_data);
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
+
+/**
+ * Gives points that are nearly others the coordinates of these: for surfaces whose corners a
+ * program has written several times, with other roundings. Such a surface is open there and
+ * touches itself; netmesh never takes points for one that differ. Call it before nm_mesh_create,
+ * which makes one vertex of equal points. A triangle of which two corners become one has no area:
+ * leave it out.
+ *
+ * dim: 2 or 3. n: the number of points. coordinates: dim of each point, without gaps; points that
+ * are at most ratio times the diagonal of the box of all from an earlier one get its coordinates,
+ * and so do chains of such points. ratio: from 0 to 0.001; roundings are explained by 1e-9.
+ * moved: receives the number of points that were moved, unless it is NULL.
+ *
+ * Errors: NM_NULL_ARGUMENT (coordinates while n > 0), NM_INVALID_ARGUMENT (dim, ratio, a size
+ * beyond the address space, coordinates not aligned to a double), NM_NON_FINITE, NM_OUT_OF_MEMORY.
+ * After an error the coordinates are as they were.
+ *
+ * O(n log n) where few points are near each other. Any thread.
+ */
+NM_NODISCARD NM_API
+nm_status nm_merge_points(uint32_t dim,
+                          uint64_t n,
+                          double *coordinates,
+                          double ratio,
+                          uint64_t *moved);
 
 /**
  * Returns the version of the library that is running, as "major.minor.patch". Static; never NULL;

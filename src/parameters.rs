@@ -264,22 +264,28 @@ fn require_dihedral(dim: usize, options: &Options) -> Result<()> {
     Ok(())
 }
 
-/// Refuses an angle up to which facets are flat where there are no facets.
+/// Refuses what is asked of facets where there are none.
 fn require_space(dim: usize, options: &Options) -> Result<()> {
-    let given = options.coplanar;
-    if dim != 3 && given != 0.0 {
-        return refuse(say!(
-            Name::Coplanar,
-            " is {given}; it must be 0 in {dim}D: facets are for 3D"
-        ));
+    let asked = [
+        (Name::Coplanar, options.coplanar),
+        (Name::SizeFromCurvature, options.size_from_curvature),
+    ];
+    match asked.into_iter().find(|&(_, given)| dim != 3 && given != 0.0) {
+        Some((name, given)) => {
+            refuse(say!(name, " is {given}; it must be 0 in {dim}D: facets are for 3D"))
+        }
+        None => Ok(()),
     }
-    Ok(())
 }
 
 /// Refuses what cages would break in a mesh that has them, or that an algorithm does not keep.
 fn require_no_cages(options: &Options) -> Result<()> {
     let Some(other) = cages_or_other(options) else { return Ok(()) };
-    let asked = [(Name::DistanceRatio, options.distance_ratio), (Name::MaxEdge, options.max_edge)];
+    let asked = [
+        (Name::DistanceRatio, options.distance_ratio),
+        (Name::MaxEdge, options.max_edge),
+        (Name::SizeFromCurvature, options.size_from_curvature),
+    ];
     match asked.into_iter().find(|(_, given)| *given > 0.0) {
         Some((name, given)) => refuse(say!(name, " is {given}; it does not go with ", other)),
         None => Ok(()),

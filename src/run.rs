@@ -83,7 +83,8 @@ impl Mesh {
         progress: Option<&mut ProgressFn<'_>>,
     ) -> Result<Triangulation> {
         let inputs = self.inputs();
-        match Field::new(self, size)? {
+        let of_curvature = self.sizes_of_curvature(options, arrangement.as_deref())?;
+        match Field::new(self, size, of_curvature)? {
             None => netmesh::run(inputs, arrangement, options, progress),
             Some(field) => {
                 let size: &SizeFn<'_> = &|x| field.at(x);

@@ -1,6 +1,8 @@
 //! Sizes given by values, as a function: linear in a mesh, and those of its nearest vertex beyond
 //! it. Values at the inputs are linear in the inputs' Delaunay triangulation, which is made for it.
+//! Those of the caller's function and of the curvature of facets count beside them.
 
+use crate::arrangement::space::CurvatureSizes;
 use crate::error::{Error, ErrorKind, Result};
 use crate::memory::collected;
 use crate::mesh::sizes::Background;
@@ -17,6 +19,7 @@ use std::cell::RefCell;
 #[derive(Default)]
 pub(crate) struct Field<'a> {
     function: Option<&'a SizeFn<'a>>,
+    of_curvature: Option<CurvatureSizes>,
     at_inputs: Option<Interpolated<'a>>,
     /// Sizes at the inputs if they lie in a hyperplane; replaces `at_inputs`.
     at_flat_inputs: Option<OfNearest>,
@@ -40,16 +43,21 @@ struct OfNearest {
 }
 
 impl<'a> Field<'a> {
-    /// Returns the sizes that `mesh` was given and those of a function; `None` if there are none.
+    /// Returns the sizes that `mesh` was given, those of a function and those that the curvature of
+    /// facets asks for; `None` if there are none.
     ///
     /// # Errors
     /// `OutOfMemory`, and those of a run of [`Algorithm::Delaunay`].
-    pub fn new(mesh: &'a Mesh, function: Option<&'a SizeFn<'a>>) -> Result<Option<Self>> {
+    pub fn new(
+        mesh: &'a Mesh,
+        function: Option<&'a SizeFn<'a>>,
+        of_curvature: Option<CurvatureSizes>,
+    ) -> Result<Option<Self>> {
         let given = mesh.given_sizes();
-        if given.is_empty() && function.is_none() {
+        if given.is_empty() && function.is_none() && of_curvature.is_none() {
             return Ok(None);
         }
-        let mut field = Self { function, ..Self::default() };
+        let mut field = Self { function, of_curvature, ..Self::default() };
         if !given.at_inputs.is_empty() {
             field.set_inputs(mesh.inputs(), &given.at_inputs)?;
         }
@@ -91,7 +99,8 @@ impl<'a> Field<'a> {
             return answer;
         }
         let nearest = self.at_flat_inputs.as_ref().map_or(f64::INFINITY, |values| values.at(x));
-        let mut least = answer.min(nearest);
+        let round = self.of_curvature.as_ref().map_or(f64::INFINITY, |sizes| sizes.at(x));
+        let mut least = answer.min(nearest).min(round);
         for values in self.at_inputs.iter().chain(&self.on_background) {
             match values.at(x) {
                 Ok(size) => least = least.min(size),

@@ -91,6 +91,8 @@ fn options(bytes: &mut Bytes<'_>) -> Options {
         interior: interiors[usize::from(choice >> 2 & 3)],
         quality_bound: bounds[usize::from(choice >> 4 & 3)],
         min_dihedral: if choice >> 6 == 3 { 10.0 } else { 0.0 },
+        // By the seed: another byte would shift what the corpus has.
+        size_from_curvature: if seed % 8 == 5 { 0.05 } else { 0.0 },
         crossings: if seed % 4 == 3 { Crossings::Split } else { Crossings::Refuse },
         coplanar,
         threads,

@@ -38,6 +38,7 @@ struct options {
     nm_labels labels = NM_LABELS_SEEDS;
     // Sizes.
     double max_edge = 0;
+    double size_from_curvature = 0;  // 3D only
     double distance_ratio = 0;
     size_function size = {};  // empty: none
     // Algorithm.
@@ -83,6 +84,7 @@ void copy(const From &from, To &to) noexcept {
     to.coplanar = from.coplanar;
     to.labels = from.labels;
     to.max_edge = from.max_edge;
+    to.size_from_curvature = from.size_from_curvature;
     to.distance_ratio = from.distance_ratio;
     to.output = from.output;
     to.algorithm = from.algorithm;

@@ -555,8 +555,8 @@ extern "C" {
  *
  * Always refused: of the options algorithm other than NM_ALGORITHM_NETMESH, extent other than
  * NM_EXTENT_ALL, values of interior, crossings, coplanar and labels other than their defaults,
- * instruments, max_edge, size, distance_ratio and min_dihedral, on one rank too. There are no segments,
- * regions, sizes at points or attributes.
+ * instruments, max_edge, size_from_curvature, size, distance_ratio and min_dihedral, on one rank too.
+ * There are no segments, regions, sizes at points or attributes.
  *
  * Small inputs are not shared out evenly. On 4 ranks the one with most has 1.2 times its share of the
  * simplices at 16,000 inputs in 2D, and 1.5 times at 60,000 in 3D; of 4,000 in 3D it has nearly all.

@@ -53,6 +53,7 @@ def mesh(
     coplanar: float = 0.0,
     labels: Literal["seeds", "regions"] = "seeds",
     max_edge: float = 0.0,
+    size_from_curvature: float = 0.0,
     distance_ratio: float = 0.0,
     size: Any = None,
     background: Any = None,
@@ -151,6 +152,10 @@ def mesh(
     max_edge : float
         Length that no edge exceeds of simplices that meet the box of the inputs. Not in
         hierarchical meshes. Above 0.
+    size_from_curvature : float
+        Largest distance, in 3D, of an edge's middle from the round surface that facets approximate;
+        nothing is round where these bend by more than 50 degrees. Not in hierarchical meshes. Above
+        0.
     distance_ratio : float
         Largest reach of a cell, relative to the distance from its vertex to the nearest input,
         unless that input is the nearest one everywhere in the cell; for filtrations of the mesh.

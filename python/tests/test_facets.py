@@ -124,6 +124,18 @@ def test_holes_are_closed():
     assert len(netmesh.close_holes(CUBE)) == 0
 
 
+def test_sizes_from_curvature_are_chords():
+    angles = 2 * np.pi * np.arange(24) / 24
+    rings = [np.column_stack([np.cos(angles), np.sin(angles), np.full(24, z)]) for z in (0.0, 2.0)]
+    around = [[i, (i + 1) % 24, 24 + (i + 1) % 24, 24 + i] for i in range(24)]
+    facets = [*around, list(range(23, -1, -1)), list(range(24, 48))]
+    mesh = netmesh.mesh(np.concatenate(rings), facets=facets, size_from_curvature=0.01)
+    assert mesh.sizes[:48] == pytest.approx(2 * np.sqrt(1 - 0.99**2), abs=1e-12)
+    assert mesh.options["size_from_curvature"] == 0.01
+    with pytest.raises(netmesh.InvalidArgumentError, match="size_from_curvature is 0.01; it needs facets"):
+        netmesh.mesh(np.concatenate(rings), size_from_curvature=0.01)
+
+
 def test_points_are_merged():
     doubled = np.array([*CUBE, *CUBE], float)
     doubled[8:] += 1e-14

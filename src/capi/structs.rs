@@ -126,7 +126,8 @@ pub struct nm_options {
     /// must be neither NM_INTERIOR_PARITY nor NM_INTERIOR_WINDING. Seeds (nm_mesh_set_regions) may
     /// make holes of these regions. Default NM_INTERIOR_AUTO.
     pub interior: MaybeUninit<Interior>,
-    /// Treatment of segments in 2D that cross where no input is. Default NM_CROSSINGS_REFUSE.
+    /// Treatment of segments, in 3D of facets too, that cross where no input is. Default
+    /// NM_CROSSINGS_REFUSE.
     pub crossings: MaybeUninit<Crossings>,
     /// Angle from flat, in degrees, up to which triangles of nm_mesh_set_triangles that share an
     /// edge and have one marker are one facet, and up to which the vertices of a facet may be off
@@ -144,6 +145,15 @@ pub struct nm_options {
     /// the regular simplex with such edges. Outside the box simplices grow as fast as quality_bound
     /// allows. For NM_ALGORITHM_NETMESH, not with NM_OUTPUT_HIERARCHICAL. Above 0, default 0: none.
     pub max_edge: f64,
+    /// Largest distance of the middle of an edge from the round surface that facets approximate, in
+    /// 3D: edges are chords of it. Facets that bend by at most 50 degrees have the radius R of a
+    /// cylinder of facets that are as wide and bend as much; there the size is the length of the
+    /// chord, the root of 4 * size_from_curvature * (2 * R - size_from_curvature), or twice
+    /// size_from_curvature where R is less. From there sizes grow by half of the distance. Facets
+    /// stay as they are: the vertices that come lie on them. On the same conditions as size, with
+    /// which both count; needs facets (nm_mesh_set_facets, nm_mesh_set_triangles, or the extents
+    /// hull and box). Above 0, default 0: none.
+    pub size_from_curvature: f64,
     /// Largest reach of the cell of a vertex, relative to the distance from the vertex to the
     /// nearest input, unless that input is the nearest one everywhere in the cell; for filtrations
     /// (NM_FILTRATION_MESH, docs/topology.md), whose factor becomes at most the root of (1 +
@@ -222,7 +232,7 @@ unsafe impl Versioned for nm_options {
     }
 }
 
-const _: () = assert!(size_of::<nm_options>() == 14 * 4 + 15 * 8 + 4 * size_of::<usize>());
+const _: () = assert!(size_of::<nm_options>() == 14 * 4 + 16 * 8 + 4 * size_of::<usize>());
 
 /// Sizes of a mesh. Before nm_run: the distinct inputs as vertices, no simplices, no domains.
 #[allow(non_camel_case_types)]

@@ -88,6 +88,13 @@ roundings explain.",
                 help: "Length that no edge exceeds of simplices that meet the box of the inputs. \
 Not in hierarchical meshes.",
             }
+            SizeFromCurvature size_from_curvature: f64 {
+                default: 0.0, group: Sizes, on_ranks: false,
+                kind: number("ERROR", &[constant(0.0, 0.0, f64::INFINITY)]),
+                help: "Largest distance, in 3D, of an edge's middle from the round surface that \
+facets approximate; nothing is round where these bend by more than 50 degrees. Not in hierarchical \
+meshes.",
+            }
             DistanceRatio distance_ratio: f64 {
                 default: 0.0, group: Sizes, on_ranks: false,
                 kind: number("X", &[constant(0.0, 0.05, 1.0)]),

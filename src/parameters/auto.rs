@@ -9,8 +9,9 @@ use crate::options::{Extent, Options, Output};
 /// Cages break what is asked for: between a cage and its surroundings there is a gap with simplices
 /// of all sizes and angles, which reaches into a domain that is cut out.
 pub(crate) fn output_for(options: &Options, has_sizes: bool) -> Output {
-    let Options { min_angle, min_dihedral, max_edge, distance_ratio, extent, .. } = *options;
-    let numbers = [min_angle, min_dihedral, max_edge, distance_ratio];
+    let Options { min_angle, min_dihedral, distance_ratio, extent, .. } = *options;
+    let Options { max_edge, size_from_curvature, .. } = *options;
+    let numbers = [min_angle, min_dihedral, max_edge, size_from_curvature, distance_ratio];
     let is_cut = !matches!(extent, Extent::Auto | Extent::All);
     match options.output {
         Output::Auto if has_sizes || is_cut || numbers.iter().any(|&number| number != 0.0) => {
@@ -32,6 +33,7 @@ mod tests {
             Options { min_angle: 20.0, ..plain.clone() },
             Options { min_dihedral: 10.0, ..plain.clone() },
             Options { max_edge: 0.1, ..plain.clone() },
+            Options { size_from_curvature: 0.1, ..plain.clone() },
             Options { distance_ratio: 0.5, ..plain.clone() },
             Options { extent: Extent::Hull, ..plain.clone() },
             Options { extent: Extent::Box, ..plain.clone() },

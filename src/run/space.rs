@@ -3,9 +3,9 @@
 use super::{refused_rule, without_interior};
 use crate::arrangement::Poll;
 use crate::arrangement::space::{
-    TaskInSpace, arrange_in_space, check_closed_in_space, encloses_in_space,
+    CurvatureSizes, TaskInSpace, arrange_in_space, check_closed_in_space, encloses_in_space,
 };
-use crate::error::{Choice, Error, Result, say};
+use crate::error::{Choice, Error, Name, Result, say};
 use crate::mesh::{Arrangement, Mesh};
 use crate::options::{Extent, Interior, Options};
 
@@ -63,6 +63,28 @@ impl Mesh {
             Interior::Auto => Interior::Seeds,
             given => given,
         })
+    }
+
+    /// Returns the sizes that the curvature of facets asks for; `None` if the caller does not.
+    ///
+    /// # Errors
+    /// `InvalidArgument` if there are no facets.
+    pub(super) fn sizes_of_curvature(
+        &self,
+        options: &Options,
+        arrangement: Option<&Arrangement>,
+    ) -> Result<Option<CurvatureSizes>> {
+        let (inputs, asked) = (self.inputs(), options.size_from_curvature);
+        // What is no option at all is refused with all others.
+        let is_asked = asked > 0.0 && inputs.dim() == 3;
+        match arrangement.filter(|arrangement| !arrangement.facets.is_empty()) {
+            _ if !is_asked => Ok(None),
+            Some(arrangement) => Ok(Some(CurvatureSizes::new(inputs, arrangement, asked)?)),
+            None => Err(Error::invalid(say!(
+                Name::SizeFromCurvature,
+                " is {asked}; it needs facets; the mesh has none"
+            ))),
+        }
     }
 
     fn check_extent_in_space(&self, extent: Extent, interior: Interior) -> Result<()> {

@@ -3,6 +3,7 @@
 
 mod angles;
 mod crossings;
+mod curvature;
 mod dihedral;
 mod extents;
 mod files;

@@ -3,7 +3,7 @@
 use super::projection::Projection;
 use super::sides::Sides;
 use crate::memory::AllocResult;
-use crate::numerics::{Edges, orientation, scale_by_power};
+use crate::numerics::{Edges, cross, orientation, scale_by_power};
 
 /// Sine of the largest angle between two triangles that roundings explain.
 pub(super) const ROUNDING: f64 = 1e-12;
@@ -43,10 +43,6 @@ impl Hinge<'_> {
         if ![lu, lv, lw].into_iter().all(is_ordinary) {
             return false;
         }
-        let cross = |x: &[f64; 3], y: &[f64; 3]| -> [f64; 3] {
-            let at = |k: usize| x[(k + 1) % 3] * y[(k + 2) % 3] - x[(k + 2) % 3] * y[(k + 1) % 3];
-            std::array::from_fn(at)
-        };
         let (m, n) = (cross(&u, &v), cross(&u, &w));
         let volume = (m[0] * w[0] + m[1] * w[1] + m[2] * w[2]).abs();
         // Differences have relative errors of a rounding, which products of three lengths bound.

@@ -4,6 +4,7 @@ use crate::arrangement::poll::Poll;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected, filled};
 use crate::nearest::Tree;
+use std::borrow::Cow;
 
 /// Smallest box that contains something: its least and its largest coordinates.
 pub(super) type Bounds = [[f64; 3]; 2];
@@ -13,7 +14,7 @@ const PAIRS_OF_A_POLL: u32 = 16;
 
 /// Tree of boxes. The centres of boxes make a k-d tree, whose nodes have bounds.
 pub(super) struct BoxTree<'a> {
-    boxes: &'a [Bounds],
+    boxes: Cow<'a, [Bounds]>,
     tree: Tree,
     /// Node -> the bounds of all boxes below it; those of leaves follow those of inner nodes.
     bounds: Vec<Bounds>,
@@ -21,7 +22,8 @@ pub(super) struct BoxTree<'a> {
 
 impl<'a> BoxTree<'a> {
     /// Builds the tree of all boxes. O(n log n).
-    pub fn new(boxes: &'a [Bounds]) -> AllocResult<Self> {
+    pub fn new(boxes: impl Into<Cow<'a, [Bounds]>>) -> AllocResult<Self> {
+        let boxes = boxes.into();
         let centers = boxes.iter().map(|[low, high]| -> [f64; 3] {
             std::array::from_fn(|k| 0.5 * low[k] + 0.5 * high[k])
         });
@@ -103,6 +105,36 @@ impl<'a> BoxTree<'a> {
         Ok(())
     }
 
+    /// Returns the least value of all boxes, infinite if there are none. `bound` tells for bounds
+    /// what no value of a box within them is below. O(log n) if that tells much.
+    pub fn least(&self, bound: &dyn Fn(&Bounds) -> f64, value: &dyn Fn(u32) -> f64) -> f64 {
+        self.least_below(1, f64::INFINITY, bound, value)
+    }
+
+    /// Returns the least value of the boxes below a node, or `known` if that is less.
+    fn least_below(
+        &self,
+        node: usize,
+        known: f64,
+        bound: &dyn Fn(&Bounds) -> f64,
+        value: &dyn Fn(u32) -> f64,
+    ) -> f64 {
+        let leaves = self.tree.leaf_count();
+        let may_be_less = bound(&self.bounds[node]) < known;
+        if !may_be_less {
+            return known;
+        }
+        if node >= leaves {
+            let members = self.tree.members::<3>(node - leaves);
+            return members.fold(known, |least, (member, _)| least.min(value(member)));
+        }
+        let mut halves = [2 * node, 2 * node + 1];
+        halves.sort_unstable_by(|&a, &b| {
+            bound(&self.bounds[a]).total_cmp(&bound(&self.bounds[b])).then(a.cmp(&b))
+        });
+        halves.iter().fold(known, |least, &half| self.least_below(half, least, bound, value))
+    }
+
     /// Visits the pairs of boxes in two leaves, or in one. Returns the number of pairs tried.
     fn visit_leaves(
         &self,
@@ -149,6 +181,30 @@ fn meet(a: &Bounds, b: &Bounds) -> bool {
 mod tests {
     use super::*;
     use crate::numerics::testing::Random;
+
+    #[test]
+    fn the_least_value_is_that_of_all_boxes() {
+        let mut random = Random(7);
+        for count in [0usize, 1, 2, 9, 64, 65, 300] {
+            let mut point = || -> [f64; 3] { std::array::from_fn(|_| random.unit()) };
+            let boxes: Vec<Bounds> = (0..count).map(|_| [point(); 2]).collect();
+            let tree = BoxTree::new(&boxes).unwrap();
+            for _ in 0..20 {
+                let x = point();
+                let beyond = |[low, high]: &Bounds| {
+                    let beyond = |k: usize| (low[k] - x[k]).max(x[k] - high[k]).max(0.0);
+                    (0..3).map(beyond).fold(0.0, f64::max)
+                };
+                let asked = std::cell::Cell::new(0);
+                let least = tree.least(&beyond, &|at| {
+                    asked.set(asked.get() + 1);
+                    beyond(&boxes[at as usize])
+                });
+                assert_eq!(least, boxes.iter().map(beyond).fold(f64::INFINITY, f64::min));
+                assert!(asked.get() <= 64, "{} of {count}", asked.get());
+            }
+        }
+    }
 
     #[test]
     fn pairs_are_those_of_all_pairs() {

@@ -55,7 +55,7 @@ pub(super) fn refused(
         IntersectionKind::ZeroArea => "a facet must have one",
         _ => "facets and segments may meet only in vertices and edges of both",
     };
-    message.add_text(format_args!(" near ({x}, {y}, {z}); {rule}"));
+    message.add_text(format_args!(" near ({x:?}, {y:?}, {z:?}); {rule}"));
     if count > 1 {
         message.add_text(format_args!("; {count} intersections in all"));
     }

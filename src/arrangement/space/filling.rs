@@ -3,11 +3,11 @@
 //! flat facet is filled within its plane. By dynamic programming, as P. Liepa, "Filling holes in
 //! meshes" (2003), has it, with other weights.
 
-use super::projection::{Projection, normal};
+use super::projection::{Projection, normal, tangent_of_half};
 use crate::arrangement::poll::Poll;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, filled};
-use crate::numerics::{distance, norm};
+use crate::numerics::distance;
 
 /// Folds that differ by less are alike, as tangents of half of the angle: roundings bend what is
 /// flat.
@@ -123,10 +123,6 @@ impl Table {
 /// Returns the fold between two triangles that run through their common edge in opposite
 /// directions, in steps; 0 if they are in one plane.
 fn fold_between([one, other]: [[&[f64; 3]; 3]; 2]) -> u32 {
-    let [u, v] = [normal(one), normal(other)];
-    let across: [f64; 3] =
-        std::array::from_fn(|k| u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3]);
-    let sine = norm(&across);
-    let cosine: f64 = u.iter().zip(v).map(|(x, y)| x * y).sum();
-    (sine / (norm(&[sine, cosine]) + cosine) / FOLD_STEP).round() as u32
+    let normals = [normal(one), normal(other)];
+    (tangent_of_half(normals.each_ref()) / FOLD_STEP).round() as u32
 }

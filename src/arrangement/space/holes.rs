@@ -10,6 +10,7 @@ use crate::arrangement::poll::Poll;
 use crate::error::Result;
 use crate::memory::{AllocResult, Lists, TryGrow, collected, copied, filled, with_capacity};
 use crate::mesh::{Facets, HoleFilling, Inputs, NONE, Segments};
+use crate::numerics::cross;
 
 /// Returns the triangles that close the holes of facets that have at most `max_edges` edges. Each
 /// has the corners of its hole alone, and runs through the edges of the hole against the facets
@@ -107,10 +108,6 @@ impl<'a> Frame<'a> {
             (true, false) => 3.0 + u / (u - v),
         }
     }
-}
-
-fn cross(u: &[f64; 3], v: &[f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|k| u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3])
 }
 
 /// Edge at which one triangle ends: its ends in the direction of the triangle that is missing.

@@ -15,6 +15,7 @@
 //! - [`closed`] tells whether facets are closed surfaces, and whether they enclose something;
 //!   [`sides`] has what meets at an edge. [`holes`] finds loops at which surfaces are open, and
 //!   [`filling`] has triangles that close one.
+//! - [`curvature`] has the sizes that edges should have where facets are round.
 //! - [`frame`] has the sides of a box or, by [`hull`], of the convex hull of the inputs; [`fit`]
 //!   leads them through the inputs, facets and segments on them.
 
@@ -22,6 +23,7 @@ mod bends;
 mod boxes;
 mod closed;
 mod crossed;
+mod curvature;
 mod duplicates;
 mod facets;
 mod faults;
@@ -55,6 +57,7 @@ mod split;
 mod tests;
 
 pub use closed::{check_closed_in_space, encloses_in_space};
+pub use curvature::CurvatureSizes;
 pub use duplicates::count_duplicates;
 pub use holes::fill_holes;
 pub use odd_edges::find_odd_edges;

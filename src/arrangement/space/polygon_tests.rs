@@ -134,8 +134,8 @@ fn loops_that_meet_are_refused() {
     assert_eq!(bow.intersections()[0].point, [2.0, 2.0, 1.0]);
     assert_eq!(
         bow.refusal(),
-        "facets[0] crosses itself near (2, 2, 1); facets and segments may meet only in vertices \
-         and edges of both"
+        "facets[0] crosses itself near (2.0, 2.0, 1.0); facets and segments may meet only in \
+         vertices and edges of both"
     );
     let touching = with(&[[2.0, 0.0, 1.0], [3.0, 1.0, 1.0], [1.0, 1.0, 1.0]]);
     let touching = Case::polygons(&touching, &[vec![vec![0, 1, 2, 3], vec![4, 5, 6]]]);
@@ -166,7 +166,7 @@ fn loops_that_meet_are_refused() {
     let line = [[0.0; 3], [1.0, 2.0, 3.0], [2.0, 4.0, 6.0], [-1.0, -2.0, -3.0]];
     let line = Case::polygons(&line, &[vec![vec![0, 1, 2, 3]]]);
     assert_eq!(pairs(&line.intersections()), [(facet(0), facet(0), ZeroArea)]);
-    assert!(line.refusal().starts_with("facets[0] has no area near (0, 0, 0);"));
+    assert!(line.refusal().starts_with("facets[0] has no area near (0.0, 0.0, 0.0);"));
 }
 
 /// A wall on the diagonal by which a side of the cube is split is a fault of the facets, whatever

@@ -1,6 +1,6 @@
 //! Projections of space along an axis, which are exact: they drop a coordinate.
 
-use crate::numerics::{Sign, orientation};
+use crate::numerics::{Sign, cross, dot, norm, orientation};
 
 /// Projection along an axis. Triangles that turn counterclockwise in it have a normal with a
 /// positive component on this axis.
@@ -49,5 +49,12 @@ pub(super) fn normal([a, b, c]: [&[f64; 3]; 3]) -> [f64; 3] {
         let longest = way.iter().fold(0.0f64, |longest, step| longest.max(step.abs()));
         way.map(|step| if longest > 0.0 { step / longest } else { 0.0 })
     });
-    std::array::from_fn(|k| u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3])
+    cross(&u, &v)
+}
+
+/// Returns the tangent of half of the angle between two normals, but for roundings; 0 if they have
+/// one direction, no number if one of them has none.
+pub(super) fn tangent_of_half([u, v]: [&[f64; 3]; 2]) -> f64 {
+    let (sine, cosine) = (norm(&cross(u, v)), dot(u, v));
+    sine / (norm(&[sine, cosine]) + cosine)
 }

@@ -34,6 +34,13 @@ pub fn distance_to_edge(x: &Point, [a, b]: [&Point; 2]) -> f64 {
     distance(x, &std::array::from_fn(|k| a[k] + along * way[k]))
 }
 
+/// Returns the distance of `x` from the line through two points, but for roundings; from the first
+/// if they are one.
+pub fn distance_to_line(x: &Point, [a, b]: [&Point; 2]) -> f64 {
+    let (way, length) = unit(minus(b, a));
+    if length > 0.0 { norm(&cross(&way, &minus(x, a))) } else { distance(x, a) }
+}
+
 /// Returns the distance of `x` from a triangle, but for roundings.
 pub fn distance_to_triangle(x: &Point, [a, b, c]: [&Point; 3]) -> f64 {
     let normal = unit(cross(&unit(minus(b, a)).0, &unit(minus(c, a)).0)).0;
@@ -77,5 +84,7 @@ mod tests {
         assert_eq!(distance_to_triangle(&[1.5, 2.0, 0.0], points.each_ref()), 2.0);
         assert_eq!(distance_to_triangle(&[3.0, 0.0, 0.0], points.each_ref()), 1.0);
         assert_eq!(distance_to_edge(&[3.0, 4.0, 0.0], [&points[0], &points[0]]), 5.0);
+        assert_eq!(distance_to_line(&[3.0, 4.0, 3.0], [&points[2], &points[1]]), 5.0);
+        assert_eq!(distance_to_line(&[3.0, 4.0, 0.0], [&points[0], &points[0]]), 5.0);
     }
 }

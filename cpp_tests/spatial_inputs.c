@@ -285,6 +285,15 @@ static void holes_are_closed(void) {
     nm_mesh_free(mesh);
 }
 
+/* A corner that is there twice, some roundings apart, becomes one. */
+static void corners_are_merged(void) {
+    double points[] = {0, 0, 0, 1, 0, 0, 1e-17, 0, 3e-33, 0, 1, 0};
+    uint64_t moved = 0;
+    REQUIRE(nm_merge_points(3, 4, points, 1e-9, &moved) == NM_OK && moved == 1);
+    REQUIRE(points[6] == 0 && points[8] == 0);
+    REQUIRE(nm_merge_points(3, 4, points, 0.5, &moved) == NM_INVALID_ARGUMENT);
+}
+
 static void odd_edges_are_told(void) {
     /* A tetrahedron whose second triangle is turned round, the last input equal to the first, and a
      * triangle that stands on its first edge. */
@@ -317,6 +326,7 @@ static void odd_edges_are_told(void) {
 int main(void) {
     nm_mesh *mesh;
     holes_are_closed();
+    corners_are_merged();
     crossings_are_told();
     odd_edges_are_told();
     mesh = boxes();

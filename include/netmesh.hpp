@@ -170,8 +170,8 @@ public:
             return failure{counted.status(), counted.message()};
         }
         if (values.size() != counted->inputs * components && !values.empty()) {
-            return wrong_size("values", values.size(), "inputs x components",
-                              counted->inputs * components);
+            return detail::wrong_size("values", values.size(), "inputs x components",
+                                      counted->inputs * components);
         }
         auto set = extended ? nm_mesh_set_attributes : nm_mesh_set_input_attributes;
         return detail::outcome(

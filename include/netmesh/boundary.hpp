@@ -194,6 +194,26 @@ private:
 };
 
 }  // namespace detail
+
+// Gives points in 2D or 3D that are nearly others the coordinates of these, and returns their number.
+inline result<std::uint64_t> try_merge_points(std::uint32_t dim, span<double> coordinates,
+                                              double ratio = 1e-9) {
+    const std::size_t count = dim == 0 ? 0 : coordinates.size() / dim;
+    if (count * dim != coordinates.size()) {
+        return detail::wrong_size("coordinates", coordinates.size(), "points x dim", count * dim);
+    }
+    std::uint64_t moved = 0;
+    const nm_status status = nm_merge_points(dim, count, coordinates.data(), ratio, &moved);
+    return status == NM_OK ? result<std::uint64_t>(moved) : detail::failed(status);
+}
+
+#if NETMESH_EXCEPTIONS
+// Does the same, and throws netmesh::error.
+inline std::uint64_t merge_points(std::uint32_t dim, span<double> coordinates, double ratio = 1e-9) {
+    return try_merge_points(dim, coordinates, ratio).value();
+}
+#endif
+
 }  // namespace netmesh
 
 #endif  // NETMESH_BOUNDARY_HPP

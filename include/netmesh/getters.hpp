@@ -156,13 +156,6 @@ protected:
         return lists<std::uint32_t>(*std::move(begins), *std::move(ids));
     }
 
-    static failure wrong_size(const char *name, std::uint64_t size, const char *rule,
-                              std::uint64_t wanted) {
-        return failure{NM_INVALID_ARGUMENT, std::string(name) + " holds " + std::to_string(size) +
-                                                " numbers; it must be " + rule + " = " +
-                                                std::to_string(wanted)};
-    }
-
     // Returns the number of points that coordinates make.
     result<std::size_t> count_of(span<const double> points) const {
         result<nm_counts> counted = filled<nm_counts>(nm_mesh_counts);

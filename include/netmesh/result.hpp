@@ -132,6 +132,13 @@ auto guarded(Body body, [[maybe_unused]] Rescue rescue) -> decltype(body()) {
 #endif
 }
 
+// Returns the failure of an array that holds more or fewer numbers than it must.
+inline failure wrong_size(const char *name, std::uint64_t size, const char *rule, std::uint64_t wanted) {
+    return failure{NM_INVALID_ARGUMENT, std::string(name) + " holds " + std::to_string(size) +
+                                            " numbers; it must be " + rule + " = " +
+                                            std::to_string(wanted)};
+}
+
 // Returns a failure of that status, with this thread's message.
 inline failure failed(nm_status status) noexcept {
     return guarded(

@@ -14,6 +14,7 @@
 mod environment;
 mod handle;
 mod memory;
+mod merging;
 pub mod shared;
 mod structs;
 #[cfg(test)]

@@ -5,6 +5,7 @@ use crate::exit_code::{ExitCode, Failure};
 use crate::input;
 use crate::merging;
 use crate::numbers::{counted, grouped};
+use crate::repairs::Repairs;
 use crate::standard;
 use netmesh::io::write_diagnosis_file;
 use netmesh::mesh::Diagnosis;
@@ -30,7 +31,7 @@ pub fn require(path: &Path) -> Result<(), Failure> {
 /// Returns the text of what was found in a mesh, and writes it into a file.
 pub fn text(
     mesh: &Mesh,
-    repairs: [&Option<String>; 2],
+    repairs: &Repairs,
     path: &Path,
     arguments: &Arguments,
 ) -> Result<String, Failure> {
@@ -49,13 +50,9 @@ pub fn text(
         counted(mesh.inputs().count() as u64, "point", "points"),
         counted(facets.count() as u64, words[0], words[1]),
     );
-    let suspicion = merging::suspicion(mesh, arguments);
-    for (label, line) in
-        ["merged", "holes", "points"].iter().zip([repairs[0], repairs[1], &suspicion])
-    {
-        if let Some(line) = line {
-            let _ = writeln!(text, "{label:<12}{line}");
-        }
+    let suspicion = merging::suspicion(mesh, arguments).map(|line| ("points", line));
+    for (label, line) in repairs.lines(arguments).chain(suspicion) {
+        let _ = writeln!(text, "{label:<12}{line}");
     }
     add_counts(&mut text, &found, words);
     for pair in found.intersections.iter().take(MOST) {
@@ -111,7 +108,7 @@ fn sentence(found: &Intersection, [one, _]: [&str; 2]) -> String {
     let [x, y, z] = found.point;
     let (first, second) = (name(found.first), name(found.second));
     match found.kind {
-        IntersectionKind::ZeroArea => format!("{first} {verb}, at ({x}, {y}, {z})"),
-        _ => format!("{first} {verb} {second}, at ({x}, {y}, {z})"),
+        IntersectionKind::ZeroArea => format!("{first} {verb}, at ({x:?}, {y:?}, {z:?})"),
+        _ => format!("{first} {verb} {second}, at ({x:?}, {y:?}, {z:?})"),
     }
 }

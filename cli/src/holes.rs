@@ -6,19 +6,19 @@ use crate::numbers::counted;
 use crate::standard;
 use netmesh::{HoleFilling, Mesh};
 
-/// Closes the holes that are to be closed; returns a line about them.
-pub fn close(mesh: &mut Mesh, arguments: &Arguments) -> Result<Option<String>, Failure> {
+/// Closes the holes that are to be closed.
+pub fn close(mesh: &mut Mesh, arguments: &Arguments) -> Result<Option<HoleFilling>, Failure> {
     let Some(most) = arguments.close_holes else { return Ok(None) };
     if mesh.given_facets().count() == 0 {
         let name = standard::input_name(&arguments.input);
         let message = format!("{name}: has no facets; --close-holes is for surfaces");
         return Err(Failure::new(ExitCode::Usage, message));
     }
-    Ok(Some(told(&mesh.close_holes(most as usize)?)))
+    Ok(Some(mesh.close_holes(most as usize)?))
 }
 
 /// Returns the line that tells what was closed.
-fn told(filling: &HoleFilling) -> String {
+pub fn told(filling: &HoleFilling) -> String {
     let count = |number: usize, one, many| counted(number as u64, one, many);
     format!(
         "{} closed with {}, {} left open",

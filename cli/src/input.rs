@@ -6,18 +6,57 @@ use crate::exit_code::{ExitCode, Failure};
 use crate::merging;
 use crate::numbers::counted;
 use crate::standard;
-use netmesh::io::{self, Choice, Format, Table};
+use netmesh::io::{self, Choice, Format, Merged, Table};
 use netmesh::{Error, ErrorKind, Mesh, Result};
-use std::fmt::Write;
+use std::fmt::{Display, Formatter};
 use std::path::{Path, PathBuf};
 
 /// Input that was read.
 pub struct Input {
     pub mesh: Mesh,
-    /// Lines about the files of `--with`.
-    pub further: Vec<String>,
-    /// Line about corners that `--merge` has made one.
-    pub merged: Option<String>,
+    /// Files of `--with`.
+    pub further: Vec<Further>,
+    /// Number of corners that `--merge` has made one.
+    pub merged: Option<Merged>,
+}
+
+/// File that is meshed together with the input.
+pub struct Further {
+    pub name: String,
+    pub points: usize,
+    pub facets: Marked,
+    pub segments: Marked,
+}
+
+/// Number of facets or segments of a file, and the least and largest of their markers, if there are
+/// any.
+pub struct Marked {
+    pub count: usize,
+    pub markers: Option<(i32, i32)>,
+}
+
+impl Marked {
+    fn of(markers: &[i32]) -> Self {
+        let range = markers.iter().min().zip(markers.iter().max());
+        Self { count: markers.len(), markers: range.map(|(&least, &largest)| (least, largest)) }
+    }
+}
+
+impl Display for Further {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}: {}", self.name, counted(self.points as u64, "point", "points"))?;
+        for (marked, one, many) in
+            [(&self.facets, "facet", "facets"), (&self.segments, "segment", "segments")]
+        {
+            let Some((least, largest)) = marked.markers else { continue };
+            write!(f, ", {}", counted(marked.count as u64, one, many))?;
+            match least == largest {
+                true => write!(f, " with the marker {least}")?,
+                false => write!(f, " with the markers {least} to {largest}")?,
+            }
+        }
+        Ok(())
+    }
 }
 
 /// Returns the name of the input in messages about what was read, with the number of files of
@@ -49,35 +88,25 @@ pub fn read(arguments: &Arguments) -> std::result::Result<Input, Failure> {
     Ok(Input { mesh, further, merged })
 }
 
-/// Appends what a further file has; returns a line about it.
+/// Appends what a further file has.
 fn append(
     table: &mut Table,
     path: &Path,
     arguments: &Arguments,
-) -> std::result::Result<String, Failure> {
+) -> std::result::Result<Further, Failure> {
     let name = path.display().to_string();
     let choice = Choice { has_points_alone: arguments.points, ..Choice::default() };
     let further = io::read_table_file(path, Format::Auto, &choice);
     let further = further.map_err(|error| Failure::reading(&name, &error))?;
     let (facets, segments) = (table.outline.facets.count(), table.outline.segments.len());
     table.append(&further).map_err(|error| Failure::reading(&name, &error.of_content()))?;
-    let points = further.points.coordinates.len() / further.points.dim;
-    let mut line = format!("{name}: {}", counted(points as u64, "point", "points"));
     let outline = &table.outline;
-    for (markers, one, many) in [
-        (&outline.facets.markers[facets..], "facet", "facets"),
-        (&outline.markers[segments..], "segment", "segments"),
-    ] {
-        if let Some((least, largest)) = markers.iter().min().zip(markers.iter().max()) {
-            let range = if least == largest { "marker" } else { "markers" };
-            let count = counted(markers.len() as u64, one, many);
-            let _ = write!(line, ", {count} with the {range} {least}");
-            if least != largest {
-                let _ = write!(line, " to {largest}");
-            }
-        }
-    }
-    Ok(line)
+    Ok(Further {
+        name,
+        points: further.points.coordinates.len() / further.points.dim,
+        facets: Marked::of(&outline.facets.markers[facets..]),
+        segments: Marked::of(&outline.markers[segments..]),
+    })
 }
 
 /// End of the library's refusal of `--attributes all` where there are no attributes.

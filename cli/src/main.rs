@@ -22,6 +22,7 @@ mod output;
 mod part;
 mod progress;
 mod record;
+mod repairs;
 mod same_file;
 mod session;
 mod sizes;

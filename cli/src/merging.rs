@@ -20,22 +20,25 @@ pub fn parse_ratio(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Merges corners where that is asked for; returns a line about it.
-pub fn merge(table: &mut Table, arguments: &Arguments) -> Result<Option<String>, Failure> {
+/// Merges corners where that is asked for.
+pub fn merge(table: &mut Table, arguments: &Arguments) -> Result<Option<Merged>, Failure> {
     let Some(ratio) = arguments.merge else { return Ok(None) };
     let name = standard::input_name(&arguments.input);
     if table.outline.facets.count() == 0 {
         let message = format!("{name}: has no facets; --merge is for surfaces");
         return Err(Failure::new(ExitCode::Usage, message));
     }
-    let merged = table.merge_corners(ratio).map_err(|error| Failure::reading(&name, &error))?;
-    let Merged { points, triangles } = merged;
+    table.merge_corners(ratio).map(Some).map_err(|error| Failure::reading(&name, &error))
+}
+
+/// Returns the line that tells what was merged.
+pub fn told(&Merged { points, triangles }: &Merged, ratio: f64) -> String {
     let corners = counted(points as u64, "corner", "corners");
     let gone = match triangles {
         0 => String::new(),
         _ => format!(", {} left out", counted(triangles as u64, "triangle", "triangles")),
     };
-    Ok(Some(format!("{corners} merged with others within {ratio:?} of the diagonal{gone}")))
+    format!("{corners} merged with others within {ratio:?} of the diagonal{gone}")
 }
 
 /// Returns words about corners of facets that are nearly others, if there are any and nothing was

@@ -4,6 +4,8 @@
 
 use crate::alpha_shape::Measured;
 use crate::histograms::{Histograms, Table};
+use crate::input::{Further, Marked};
+use crate::repairs::Repairs;
 use crate::summary::Summary;
 use netmesh::options::{TABLE, Value as Given};
 use netmesh::validate::Report;
@@ -34,6 +36,8 @@ pub fn json(summary: &Summary<'_>) -> String {
             "faces": left_out.faces,
             "cells": left_out.cells,
         },
+        "with": summary.further.iter().map(further).collect::<Vec<_>>(),
+        "repairs": repairs(summary.repairs),
         "options": options(parameters),
         "quality": quality(summary),
         "histograms": summary.histograms.map(histograms),
@@ -41,6 +45,35 @@ pub fn json(summary: &Summary<'_>) -> String {
         "alpha_shape": summary.alpha_shape.map(alpha_shape),
         "report": summary.report.map(report),
     }))
+}
+
+/// Returns what a file has that the input was meshed together with.
+fn further(file: &Further) -> Value {
+    let marked = |marked: &Marked| {
+        let range = marked.markers.map(|(least, largest)| [least, largest]);
+        json!({ "count": marked.count, "markers": range })
+    };
+    json!({
+        "input": file.name,
+        "points": file.points,
+        "facets": marked(&file.facets),
+        "segments": marked(&file.segments),
+    })
+}
+
+/// Returns what was repaired; null for what was not asked for.
+fn repairs(Repairs { merged, closed }: &Repairs) -> Value {
+    json!({
+        "merged": merged.as_ref().map(|merged| json!({
+            "points": merged.points,
+            "triangles": merged.triangles,
+        })),
+        "holes": closed.as_ref().map(|closed| json!({
+            "closed": closed.holes,
+            "triangles": closed.triangles.len(),
+            "open_edges": closed.open_edges,
+        })),
+    })
 }
 
 fn alpha_shape(shape: &Measured) -> Value {

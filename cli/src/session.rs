@@ -15,6 +15,7 @@ use crate::output;
 use crate::part;
 use crate::progress::Display;
 use crate::record;
+use crate::repairs::Repairs;
 use crate::same_file;
 use crate::sizes;
 use crate::standard;
@@ -38,9 +39,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         timed(&mut times.read, || input::read(arguments))?
     };
     let closed = holes::close(&mut mesh, arguments)?;
+    let repairs = Repairs { merged, closed };
     if let Some(path) = &arguments.diagnose {
         let _stage = display.stage("diagnosing");
-        return print(&diagnosis::text(&mesh, [&merged, &closed], path, arguments)?);
+        return print(&diagnosis::text(&mesh, &repairs, path, arguments)?);
     }
     if let Some(path) = &arguments.size_files.sizes {
         sizes::set(&mut mesh, path)?;
@@ -77,7 +79,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             inputs: mesh.inputs(),
             left_out: mesh.left_out(),
             further: &further,
-            repairs: [&merged, &closed],
+            repairs: &repairs,
             attributes: mesh.attributes(),
             triangulation,
             quality: &quality,

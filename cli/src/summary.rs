@@ -4,9 +4,10 @@ use crate::alpha_shape::Measured;
 use crate::arguments::Arguments;
 use crate::certificate;
 use crate::histograms::Histograms;
-use crate::input;
+use crate::input::{self, Further};
 use crate::numbers::{counted, duration, grouped, measure};
 use crate::part;
+use crate::repairs::Repairs;
 use crate::standard;
 use netmesh::quality::Quality;
 use netmesh::validate::Report;
@@ -32,9 +33,8 @@ pub struct Summary<'a> {
     pub mesh: &'a Mesh,
     pub inputs: &'a Inputs,
     pub left_out: LeftOut,
-    pub further: &'a [String],
-    /// Lines about corners that were merged, and holes that were closed.
-    pub repairs: [&'a Option<String>; 2],
+    pub further: &'a [Further],
+    pub repairs: &'a Repairs,
     pub attributes: &'a [Attribute],
     pub triangulation: &'a Triangulation,
     pub quality: &'a Quality,
@@ -81,8 +81,8 @@ impl Summary<'_> {
 
     /// Adds the files that the input was meshed together with.
     fn add_further(&self, lines: &mut Lines) {
-        for (at, line) in self.further.iter().enumerate() {
-            lines.add(if at == 0 { "with" } else { "" }, line.clone());
+        for (at, further) in self.further.iter().enumerate() {
+            lines.add(if at == 0 { "with" } else { "" }, further.to_string());
         }
     }
 
@@ -201,8 +201,8 @@ impl Summary<'_> {
         let subfacets = counted(boundary.subfacets.len() as u64, "subfacet", "subfacets");
         let subsegments = counted(boundary.subsegments.len() as u64, "subsegment", "subsegments");
         lines.add("facets", format!("{}; {subfacets}, {subsegments}", given.join(", ")));
-        for line in self.repairs.into_iter().flatten() {
-            lines.add("", line.clone());
+        for (_, line) in self.repairs.lines(self.arguments) {
+            lines.add("", line);
         }
         let is_auto = self.arguments.options().extent == Extent::Auto;
         let reaches_on = self.triangulation.parameters.extent == Extent::All;

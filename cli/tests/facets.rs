@@ -86,8 +86,8 @@ fn surfaces_are_diagnosed() {
         "faults      2 triangles without an area\n",
         "            1 pair that crosses",
         "            1 triangle with the vertices of an earlier one\n",
-        "triangle 0 crosses triangle 1, at (1.5, 1.5, 0)",
-        "triangle 3 has no area, at (7, 7, 7)\n",
+        "triangle 0 crosses triangle 1, at (1.5, 1.5, 0.0)",
+        "triangle 3 has no area, at (7.0, 7.0, 7.0)\n",
     ] {
         assert!(outcome.stdout.contains(words), "no {words:?} in {}", outcome.stdout);
     }
@@ -244,6 +244,36 @@ fn further_files_are_meshed_together_with_the_input() {
     ] {
         bench.run(line).assert_failure(code, &[words]);
     }
+}
+
+/// The record has what was meshed together, and what was repaired.
+#[test]
+fn the_record_has_further_files_and_repairs() {
+    let bench = Workbench::new("facets_record");
+    let open = CUBE.replacen("8 6 0", "8 4 0", 1).replace("4 2 3 7 6\n4 3 0 4 7\n", "");
+    bench.write("open.off", &open);
+    // The side has a corner of its own.
+    bench.write("side.off", "OFF\n4 1 0\n1 1 0\n0 1 1e-17\n0 1 1\n1 1 1\n4 0 1 2 3\n");
+    bench.write("inside.xyz", "0.25 0.5 0.75\n");
+    let all = "open.off --with side.off --with inside.xyz --merge 1e-9 --close-holes 4";
+    bench.run(&format!("{all} -q --json all.json")).assert_success();
+    let record: serde_json::Value = serde_json::from_str(&bench.read("all.json")).unwrap();
+    let none = serde_json::json!({ "count": 0, "markers": null });
+    let side = serde_json::json!({ "count": 1, "markers": [1, 1] });
+    let expected = serde_json::json!([
+        { "input": "side.off", "points": 4, "facets": side, "segments": none },
+        { "input": "inside.xyz", "points": 1, "facets": none, "segments": none },
+    ]);
+    assert_eq!(record["with"], expected);
+    let expected = serde_json::json!({
+        "merged": { "points": 1, "triangles": 0 },
+        "holes": { "closed": 1, "triangles": 2, "open_edges": 0 },
+    });
+    assert_eq!(record["repairs"], expected);
+    bench.run("open.off -q --json alone.json").assert_success();
+    let record: serde_json::Value = serde_json::from_str(&bench.read("alone.json")).unwrap();
+    assert_eq!(record["with"], serde_json::json!([]));
+    assert_eq!(record["repairs"], serde_json::json!({ "merged": null, "holes": null }));
 }
 
 /// A domain is meshed to what its facets enclose, and every format has its parts.

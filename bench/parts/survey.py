@@ -1,91 +1,159 @@
-"""Meshes all surfaces of a folder with the defaults of parts, and tells what became of each.
+"""Meshes all surfaces of folders, beside TetGen, and tells what became of each.
 
-    survey.py NETMESH FOLDER [--tetgen TETGEN] [--seconds S] [--jobs N] [--merge RATIO] > table.md
+    survey.py NETMESH FOLDER... [--peer PYTHON] [--seconds S] [--merge RATIO] > table.md
 
-NETMESH and TETGEN are programs; TetGen gets `-pq2` and the same files, as far as it reads them. A
-surface that NETMESH refuses is diagnosed. Times are those of the machine as it is: compare their
-quotients.
+NETMESH is the program: with its defaults for parts, and once more with `--min-dihedral 0`, which is
+what TetGen's `-pq2` asks for. PYTHON has numpy, trimesh and PyPI's tetgen, for peer.py. A surface that
+NETMESH refuses is diagnosed, and tried with `--crossings split`. Seconds are those of a processor.
 """
 import argparse
 import json
+import os
 import re
 import resource
+import signal
+import statistics
 import subprocess
 import tempfile
-import time
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-SURFACES = {".stl", ".off", ".obj", ".ply", ".poly"}
+SURFACES = {".stl", ".off", ".obj", ".ply", ".poly", ".smesh"}
+HEAD = (
+    "| surface | points | vertices | below 10 | forced | limited | least angle | seconds | MiB "
+    "| vertices (0) | seconds (0) | TetGen | seconds | MiB | beyond | not Delaunay | least angle |"
+)
 
 
 def run(command, seconds):
-    """Return the exit status (None after a time limit), the text, the seconds and MiB at the peak."""
-    before = time.perf_counter()
-    limit = f"/usr/bin/time -f PEAK%M timeout {seconds} ".split()
-    done = subprocess.run([*limit, *command], capture_output=True, text=True, errors="replace")
-    taken = time.perf_counter() - before
-    peak = re.search(r"PEAK(\d+)", done.stderr)
-    status = None if done.returncode == 124 else done.returncode
-    return status, done.stdout + done.stderr, taken, int(peak[1]) / 1024 if peak else 0.0
+    """Returns the exit status (None after a time limit), the text, the seconds and MiB at the peak."""
+    with tempfile.TemporaryFile("w+", errors="replace") as text:
+        limit = lambda: resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 5))  # noqa: E731
+        child = subprocess.Popen(command, stdout=text, stderr=subprocess.STDOUT, preexec_fn=limit)
+        _, status, used = os.wait4(child.pid, 0)
+        child.returncode = os.waitstatus_to_exitcode(status)
+        text.seek(0)
+        told = text.read()
+    took = used.ru_utime + used.ru_stime
+    is_ended = child.returncode in (-signal.SIGXCPU, -signal.SIGKILL)
+    return None if is_ended else child.returncode, told, took, used.ru_maxrss / 1024
 
 
-def meshed(arguments, path, folder):
-    record = folder / "record.json"
-    command = [arguments.netmesh, str(path), "--validate", "--json", str(record)]
+def mesh(arguments, path, options, folder):
+    """Returns the record of a run with its seconds and MiB; without one the message."""
+    file = folder / "record.json"
+    file.unlink(missing_ok=True)
+    command = [arguments.netmesh, str(path), *options]
     if arguments.merge:
         command += ["--merge", arguments.merge]
-    status, text, taken, peak = run(command, arguments.seconds)
+    status, text, _, _ = run([*command, "--json", str(file), "--validate"], arguments.seconds)
     if status is None:
-        return f"no end in {arguments.seconds} s"
-    if status in (0, 5) or record.exists():
-        found = json.loads(record.read_text())
-        certificate = "clean" if status == 0 else "**violated**"
-        quality = found["quality"]
-        left = {"below 10 degrees": quality["below_min_dihedral"], "forced": quality["forced"],
-                "limited": quality["precision_limited"]}
-        told = ", ".join(f"{count} {name}" for name, count in left.items() if count)
-        return (f"{found['counts']['vertices']} vertices of {found['counts']['inputs']} points, "
-                f"{taken:.2f} s, {peak:.0f} MiB, certificate {certificate}{told and '; ' + told}")
-    diagnosis = run([arguments.netmesh, str(path), "--diagnose", str(folder / "bad.vtu")], arguments.seconds)[1]
-    counts = re.findall(r"^(?:points|edges|faults)?\s+([\d ]+) (corner|edge|pair|triangle|facet)s? ([^\n;]*)", diagnosis, re.M)
-    told = [f"{count} {thing}s {rest}" for count, thing, rest in counts if count.strip() != "0"]
-    return "refused: " + ("; ".join(told) or text.strip().splitlines()[-1][:160])
+        return None, f"no end in {arguments.seconds} s"
+    if not file.exists():
+        return None, (text.strip().splitlines() or [f"status {status}"])[-1]
+    record = json.loads(file.read_text())
+    record["is_clean"] = status == 0 and record["report"]["violations"] == 0
+    # Once more without the certificate and the quality, which take time and memory of their own.
+    _, _, record["seconds"], record["mib"] = run([*command, "-q"], arguments.seconds)
+    return record, ""
 
 
-def by_tetgen(arguments, path, folder):
-    if not arguments.tetgen:
-        return ""
-    copy = folder / ("surface" + path.suffix.lower())
-    copy.write_bytes(path.read_bytes())
-    status, text, taken, peak = run([arguments.tetgen, "-pq2", str(copy)], arguments.seconds)
-    nodes = folder / "surface.1.node"
-    if status != 0 or not nodes.exists():
-        return "no end" if status is None else f"fails ({status})"
-    return f"{nodes.read_text().split()[0]} vertices, {taken:.2f} s, {peak:.0f} MiB"
+def by_peer(arguments, path):
+    if not arguments.peer:
+        return None, ""
+    command = [arguments.peer, str(Path(__file__).parent / "peer.py"), str(path)]
+    status, text, _, _ = run(command, arguments.seconds)
+    if status is None:
+        return None, "no end"
+    if status != 0:
+        last = text.strip().splitlines()[-1:] or [""]
+        return None, f"fails: {last[0][:60]}"
+    return json.loads(text.strip().splitlines()[-1]), ""
 
 
-def row(arguments, path):
-    with tempfile.TemporaryDirectory() as own:
-        folder = Path(own)
-        return f"| {path.parent.name}/{path.name} | {meshed(arguments, path, folder)} | {by_tetgen(arguments, path, folder)} |"
+def diagnosis(arguments, path, folder):
+    """Returns the figures of a diagnosis that are not 0, and what splitting makes of the surface."""
+    _, text, _, _ = run([arguments.netmesh, str(path), "--diagnose", str(folder / "bad.vtu")], arguments.seconds)
+    lines = re.findall(r"^(?:points|edges|faults)?\s+(\d[\d ]* (?:corner|edge|pair|triangle|facet)[^\n;]*)", text, re.M)
+    told = [line for line in lines if not line.startswith("0 ")]
+    split, why = mesh(arguments, path, ["--crossings", "split"], folder)
+    if split is None:
+        became = f"split: {why[:100]}"
+    else:
+        became = f"split: {split['counts']['vertices']} vertices, {'clean' if split['is_clean'] else '**violated**'}"
+    return f"{'; '.join(told)}; {became}"
+
+
+def row(arguments, path, folder, found):
+    name = f"{path.parent.name}/{path.name}"
+    record, why = mesh(arguments, path, [], folder)
+    if record is None:
+        return f"| {name} | {why[:90]}; {diagnosis(arguments, path, folder)} |"
+    plain, _ = mesh(arguments, path, ["--min-dihedral", "0"], folder)
+    quality = record["quality"]
+    own = [
+        record["counts"]["inputs"],
+        f"{record['counts']['vertices']}{'' if record['is_clean'] else ' **violated**'}",
+        quality["below_min_dihedral"],
+        quality["forced"],
+        quality["precision_limited"],
+        f"{quality['min_angle_degrees']:.3g}",
+        f"{record['seconds']:.2f}",
+        f"{record['mib']:.0f}",
+        plain["counts"]["vertices"] if plain else "",
+        f"{plain['seconds']:.2f}" if plain else "",
+    ]
+    peer, why = by_peer(arguments, path)
+    found.append((name, record, plain, peer))
+    if peer is None:
+        return f"| {name} | {' | '.join(map(str, own))} | {why} |"
+    others = [
+        peer["vertices"],
+        f"{peer['seconds']:.2f}",
+        f"{peer['peak_mib']:.0f}",
+        peer["beyond_bound"],
+        peer["not_delaunay"],
+        f"{peer['min_angle_degrees']:.3g}",
+    ]
+    return f"| {name} | {' | '.join(map(str, own))} | {' | '.join(map(str, others))} |"
+
+
+def summary(found):
+    both = [(name, record, plain, peer) for name, record, plain, peer in found if plain and peer]
+    clean = sum(record["is_clean"] for _, record, _, _ in found)
+    lines = [f"{len(found)} were meshed, {clean} of these with a clean certificate."]
+    if both:
+        ratios = {
+            "vertices (0) over TetGen's": [p["counts"]["vertices"] / t["vertices"] for _, _, p, t in both],
+            "vertices over TetGen's": [r["counts"]["vertices"] / t["vertices"] for _, r, _, t in both],
+            "seconds (0) over TetGen's": [p["seconds"] / max(t["seconds"], 1e-3) for _, _, p, t in both],
+            "seconds over TetGen's": [r["seconds"] / max(t["seconds"], 1e-3) for _, r, _, t in both],
+        }
+        for what, values in ratios.items():
+            worst = both[values.index(max(values))][0]
+            lines.append(f"{what}: median {statistics.median(values):.2f}, worst {max(values):.2f} ({worst}).")
+        beyond = sum(t["beyond_bound"] > 0 for *_, t in both)
+        not_delaunay = sum(t["not_delaunay"] > 0 for *_, t in both)
+        lines.append(f"Of TetGen's {len(both)}, {beyond} have cells beyond the bound, {not_delaunay} are not Delaunay inside.")
+    return "\n".join(lines)
 
 
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("netmesh")
-    parser.add_argument("folder", type=Path)
-    parser.add_argument("--tetgen")
+    parser.add_argument("folders", type=Path, nargs="+")
+    parser.add_argument("--peer")
     parser.add_argument("--seconds", type=int, default=60)
-    parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--merge")
     arguments = parser.parse_args()
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-    files = sorted(path for path in arguments.folder.rglob("*") if path.suffix.lower() in SURFACES)
-    print("| surface | netmesh | TetGen `-pq2` |\n|---|---|---|", flush=True)
-    with ThreadPoolExecutor(arguments.jobs) as pool:
-        for line in pool.map(lambda path: row(arguments, path), files):
-            print(line, flush=True)
+    paths = (path for folder in arguments.folders for path in folder.rglob("*"))
+    files = sorted(path for path in paths if path.suffix.lower() in SURFACES)
+    print(HEAD + "\n" + "|---" * 17 + "|", flush=True)
+    found = []
+    for path in files:
+        with tempfile.TemporaryDirectory() as folder:
+            print(row(arguments, path, Path(folder), found), flush=True)
+    print("\n" + summary(found))
 
 
 if __name__ == "__main__":

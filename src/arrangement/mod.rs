@@ -28,7 +28,6 @@ mod poll;
 mod ranked;
 mod reach;
 mod shared;
-#[allow(dead_code, unused_imports)]
 pub mod space;
 mod split;
 mod status;

@@ -14,6 +14,7 @@ use crate::sizes::Field;
 mod holes;
 mod intersections;
 mod space;
+mod triangles;
 
 /// Largest number of tries to lead segments through further vertices where doubles leave no room
 /// between them.

@@ -128,6 +128,11 @@ pub struct Arguments {
     #[arg(long, value_name = "EDGES", value_parser = clap::value_parser!(u32).range(3..=1000))]
     pub close_holes: Option<u32>,
 
+    /// Split the polygons of the surface into triangles, before its holes are closed: polygons that
+    /// are not plane are refused otherwise. Triangles in one plane are one facet again
+    #[arg(long)]
+    pub triangulate: bool,
+
     /// Make corners of facets one that are at most RATIO times the diagonal of the surface from
     /// each other, 0 to 0.001: programs write a point several times, with other roundings.
     /// Triangles of which two corners become one are left out. Without it equal corners alone are

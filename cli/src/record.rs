@@ -62,12 +62,13 @@ fn further(file: &Further) -> Value {
 }
 
 /// Returns what was repaired; null for what was not asked for.
-fn repairs(Repairs { merged, closed }: &Repairs) -> Value {
+fn repairs(Repairs { merged, triangulated, closed }: &Repairs) -> Value {
     json!({
         "merged": merged.as_ref().map(|merged| json!({
             "points": merged.points,
             "triangles": merged.triangles,
         })),
+        "triangulated": triangulated,
         "holes": closed.as_ref().map(|closed| json!({
             "closed": closed.holes,
             "triangles": closed.triangles.len(),

@@ -38,8 +38,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let _stage = display.stage("reading");
         timed(&mut times.read, || input::read(arguments))?
     };
+    let triangulated = match arguments.triangulate {
+        true => Some(mesh.triangulate_facets()?),
+        false => None,
+    };
     let closed = holes::close(&mut mesh, arguments)?;
-    let repairs = Repairs { merged, closed };
+    let repairs = Repairs { merged, triangulated, closed };
     if let Some(path) = &arguments.diagnose {
         let _stage = display.stage("diagnosing");
         return print(&diagnosis::text(&mesh, &repairs, path, arguments)?);

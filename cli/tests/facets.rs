@@ -246,6 +246,31 @@ fn further_files_are_meshed_together_with_the_input() {
     }
 }
 
+/// Polygons that are not plane are meshed as triangles where that is asked for.
+#[test]
+fn polygons_become_triangles() {
+    let bench = Workbench::new("facets_triangulated");
+    // One corner of the cube is off the planes of three sides.
+    bench.write("bent.off", &CUBE.replacen("1 1 1\n", "1.1 1.2 1.3\n", 1));
+    bench.run("bent.off").assert_failure(4, &["is not plane", "split it into triangles"]);
+    let outcome = bench.run("bent.off --triangulate --validate --json bent.json");
+    outcome.assert_success();
+    for words in ["6 polygons split into triangles\n", "12 triangles; ", "holds at level 3"] {
+        assert!(outcome.stdout.contains(words), "no {words:?} in {}", outcome.stdout);
+    }
+    assert!(bench.read("bent.json").contains("\"triangulated\": 6"));
+    let outcome = bench.run("bent.off --triangulate --diagnose bent.vtu");
+    outcome.assert_success();
+    for words in ["\nsplit       6 polygons", "12 triangles in", "edges       0 edges where"] {
+        assert!(outcome.stdout.contains(words), "no {words:?} in {}", outcome.stdout);
+    }
+    // Plane polygons are facets again; a facet keeps its marker.
+    bench.write("pyramid.poly", &pyramid());
+    bench.run("pyramid.poly --triangulate -q -o pyramid.node").assert_success();
+    let face = bench.read("pyramid.face");
+    assert_eq!(face.lines().filter(|line| line.ends_with(" 9")).count(), 2, "{face}");
+}
+
 /// The record has what was meshed together, and what was repaired.
 #[test]
 fn the_record_has_further_files_and_repairs() {
@@ -267,13 +292,17 @@ fn the_record_has_further_files_and_repairs() {
     assert_eq!(record["with"], expected);
     let expected = serde_json::json!({
         "merged": { "points": 1, "triangles": 0 },
+        "triangulated": null,
         "holes": { "closed": 1, "triangles": 2, "open_edges": 0 },
     });
     assert_eq!(record["repairs"], expected);
     bench.run("open.off -q --json alone.json").assert_success();
     let record: serde_json::Value = serde_json::from_str(&bench.read("alone.json")).unwrap();
     assert_eq!(record["with"], serde_json::json!([]));
-    assert_eq!(record["repairs"], serde_json::json!({ "merged": null, "holes": null }));
+    assert_eq!(
+        record["repairs"],
+        serde_json::json!({ "merged": null, "triangulated": null, "holes": null })
+    );
 }
 
 /// A domain is meshed to what its facets enclose, and every format has its parts.

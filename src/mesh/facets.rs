@@ -97,7 +97,7 @@ impl Facets {
     }
 
     /// Makes facets of triangles, three inputs for each; without `markers` every triangle has 0.
-    pub(super) fn of_triangles(
+    pub(crate) fn of_triangles(
         inputs: &Inputs,
         corners: &[u32],
         markers: Option<&[i32]>,

@@ -1,9 +1,9 @@
 //! Shapes whose volumes are known.
 
-use super::{Point, Solid, assert_none_excused, bounded, cuboid, tilted, volume};
+use super::{Point, Solid, assert_holds, assert_none_excused, bounded, cuboid, tilted, volume};
 use crate::random::Random;
 use netmesh::options::{Extent, Interior, Options};
-use netmesh::{NONE, Region};
+use netmesh::{Mesh, NONE, Region};
 
 #[test]
 fn a_cube_needs_no_vertex_of_its_own() {
@@ -158,4 +158,42 @@ fn sides_stay_plane_beside_inputs_that_are_nearly_on_them() {
     let (sine, cosine) = 0.4f64.sin_cos();
     let turned = solid.moved(|[x, y, z]| [x, cosine * y - sine * z, sine * y + cosine * z]);
     turned.run(&bounded(2.0));
+}
+
+/// Polygons that are not plane are refused; as triangles, between the same inputs, they are not.
+#[test]
+fn polygons_become_triangles() {
+    let mut solid = cuboid([0.0; 3], [1.0; 3]);
+    solid.points[7] = [1.1, 1.2, 1.3];
+    let mut mesh = solid.mesh();
+    let error = mesh.run(&bounded(2.0), None).unwrap_err();
+    assert!(error.to_string().contains("is not plane"), "{error}");
+    assert_eq!(mesh.triangulate_facets().unwrap(), 6);
+    assert_eq!((mesh.given_facets().count(), mesh.given_facets().are_triangles), (12, true));
+    assert_eq!(mesh.triangulate_facets().unwrap(), 0);
+    mesh.run(&bounded(2.0), None).unwrap();
+    assert_holds(&mesh);
+    // A facet with a hole has its area, and its marker.
+    let points = cuboid([0.0; 3], [1.0; 3]).with(&cuboid([0.25, 0.25, 0.0], [0.75; 3])).points;
+    let mut mesh = Mesh::new(3, 16, points.as_flattened(), 0).unwrap();
+    let (loops, starts) = ([0, 2], [0, 4, 8]);
+    mesh.set_facets(&loops, &starts, &[0, 1, 3, 2, 8, 10, 11, 9], Some(&[5])).unwrap();
+    assert_eq!(mesh.triangulate_facets().unwrap(), 1);
+    let facets = mesh.given_facets();
+    assert_eq!(facets.markers, [5; 8]);
+    let area: f64 = facets
+        .inputs
+        .chunks_exact(3)
+        .map(|corners| {
+            let [a, b, c] = [0, 1, 2].map(|at| points[corners[at] as usize]);
+            0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
+        })
+        .sum();
+    assert_eq!(area.abs(), 0.75);
+    // What has no triangles is refused, and stays.
+    let starts = [0, 4];
+    mesh.set_facets(&[0, 1], &starts, &[0, 3, 1, 2], None).unwrap();
+    let error = mesh.triangulate_facets().unwrap_err();
+    assert!(error.to_string().contains("facets[0] crosses itself near"), "{error}");
+    assert!(!mesh.given_facets().are_triangles);
 }

@@ -16,6 +16,7 @@
 //!   [`sides`] has what meets at an edge. [`holes`] finds loops at which surfaces are open, and
 //!   [`filling`] has triangles that close one.
 //! - [`curvature`] has the sizes that edges should have where facets are round.
+//! - [`triangulation`] has the triangles that polygons consist of.
 //! - [`frame`] has the sides of a box or, by [`hull`], of the convex hull of the inputs; [`fit`]
 //!   leads them through the inputs, facets and segments on them.
 
@@ -55,12 +56,14 @@ mod sides;
 mod split;
 #[cfg(test)]
 mod tests;
+mod triangulation;
 
 pub use closed::{check_closed_in_space, encloses_in_space};
 pub use curvature::CurvatureSizes;
 pub use duplicates::count_duplicates;
 pub use holes::fill_holes;
 pub use odd_edges::find_odd_edges;
+pub use triangulation::triangulate;
 
 use super::poll::Poll;
 use crate::error::Result;

@@ -1,0 +1,44 @@
+//! The triangles between their inputs that polygons consist of.
+
+use super::faults::refused;
+use super::{as_given, points_of};
+use crate::arrangement::poll::Poll;
+use crate::error::{Error, Result};
+use crate::memory::TryGrow;
+use crate::mesh::{Facets, Inputs, Segments};
+use crate::options::Crossings;
+
+/// Triangles that facets consist of, between the caller's inputs.
+#[derive(Debug, Default, PartialEq, Eq)]
+pub struct FacetTriangulation {
+    /// Three inputs for each triangle, facet by facet.
+    pub triangles: Vec<[u32; 3]>,
+    /// Triangle -> the marker of its facet.
+    pub markers: Vec<i32>,
+}
+
+/// Returns the triangles that facets consist of, seen along an axis. O(n log n) for n inputs of the
+/// facets.
+///
+/// # Errors
+/// `InvalidArgument` (a facet that meets itself, has no area or has segments within), `OutOfMemory`,
+/// and those of `poll`.
+pub fn triangulate(inputs: &Inputs, facets: &Facets, poll: Poll<'_>) -> Result<FacetTriangulation> {
+    let points = points_of(inputs)?;
+    let pieces = as_given(&points, inputs, facets, &Segments::default(), poll)?;
+    if let Some(first) = pieces.faults.first() {
+        return Err(refused(facets, first, pieces.faults.len(), Crossings::Refuse));
+    }
+    if !pieces.lines.is_empty() {
+        let message = "facets have segments within, which triangles would not keep";
+        return Err(Error::invalid(message));
+    }
+    let mut found = FacetTriangulation::default();
+    for piece in &pieces.all {
+        let (Some(triangle), Some(facet)) = (piece.triangle(), piece.facet()) else { continue };
+        let input = |vertex: u32| inputs.first_input(vertex as usize).unwrap_or(vertex);
+        found.triangles.try_push(triangle.map(input))?;
+        found.markers.try_push(facets.markers[facet as usize])?;
+    }
+    Ok(found)
+}

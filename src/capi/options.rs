@@ -226,10 +226,10 @@ mod tests {
     #[test]
     fn init_writes_the_defaults_and_clears_the_tail() {
         let mut bytes = [0xee; 256];
-        assert_eq!(init(&mut bytes, 208), nm_status::NM_OK);
-        assert_eq!(bytes[..4], 208_u32.to_ne_bytes());
-        assert!(bytes[SIZE..208].iter().all(|&byte| byte == 0));
-        assert!(bytes[208..].iter().all(|&byte| byte == 0xee));
+        assert_eq!(init(&mut bytes, 240), nm_status::NM_OK);
+        assert_eq!(bytes[..4], 240_u32.to_ne_bytes());
+        assert!(bytes[SIZE..240].iter().all(|&byte| byte == 0));
+        assert!(bytes[240..].iter().all(|&byte| byte == 0xee));
         let options = read(&bytes);
         assert_eq!(decode_options(&options).unwrap(), Options::default());
         assert!(options.progress.is_none() && options.user_data.is_null());

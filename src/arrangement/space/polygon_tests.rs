@@ -1,7 +1,6 @@
 //! Polygons: their triangles, and those that are refused.
 
 use super::tests::{CUBE, Case, facet, pairs, quads};
-use super::*;
 use crate::mesh::IntersectionKind::{Cross, Overlap, Touch, ZeroArea};
 use crate::mesh::{FacetTriangle, NONE};
 use crate::numerics::testing::Random;

@@ -21,8 +21,8 @@ pub struct FacetTriangulation {
 /// facets.
 ///
 /// # Errors
-/// `InvalidArgument` (a facet that meets itself, has no area or has segments within), `OutOfMemory`,
-/// and those of `poll`.
+/// `InvalidArgument` (a facet that meets itself, has no area or has segments within),
+/// `OutOfMemory`, and those of `poll`.
 pub fn triangulate(inputs: &Inputs, facets: &Facets, poll: Poll<'_>) -> Result<FacetTriangulation> {
     let points = points_of(inputs)?;
     let pieces = as_given(&points, inputs, facets, &Segments::default(), poll)?;

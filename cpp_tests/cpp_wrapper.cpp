@@ -33,7 +33,7 @@ static_assert(!std::is_convertible_v<const std::vector<double>&, netmesh::span<d
 static_assert(!std::is_convertible_v<std::vector<float>&, netmesh::span<const double>>);
 static_assert(std::is_convertible_v<netmesh::span<double>, netmesh::span<const double>>);
 // A field that nm_options got has to be in netmesh::options too.
-static_assert(sizeof(nm_options) == 176 + 4 * sizeof(void*));
+static_assert(sizeof(nm_options) == 184 + 4 * sizeof(void*));
 
 template <class Call>
 void expect_error(int line, nm_status expected, const char* word, Call call) {

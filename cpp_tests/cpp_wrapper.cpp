@@ -468,7 +468,8 @@ void holes() {
 void corners() {
     std::vector<double> points(cube.begin(), cube.end());
     points.insert(points.end(), {cube[0] + 1e-15, cube[1], cube[2]});
-    CHECK_EQUAL(netmesh::merge_points(3, points), 1u);
+    const std::uint64_t moved = netmesh::merge_points(3, points);
+    CHECK_EQUAL(moved, 1u);
     CHECK_EQUAL(points[24], cube[0]);
     expect_failure(__LINE__, NM_INVALID_ARGUMENT, "ratio", netmesh::try_merge_points(3, points, 0.5));
     expect_failure(__LINE__, NM_INVALID_ARGUMENT, "coordinates", netmesh::try_merge_points(2, points));

@@ -25,18 +25,22 @@ pub fn merge_points(dim: usize, coordinates: &mut [f64], ratio: f64) -> Result<u
         let message = message!("ratio is {ratio}; it must be from 0 to {LARGEST_RATIO}");
         return Err(Error::invalid(message));
     }
+    if !matches!(dim, 2 | 3) {
+        return Err(Error::invalid(message!("dim is {dim}; points are merged in 2D and 3D")));
+    }
     if let Some(at) = coordinates.iter().position(|x| !x.is_finite()) {
         let message = message!("coordinates[{at}] is {}; it must be finite", coordinates[at]);
         return Err(Error::new(ErrorKind::NonFinite, message));
     }
-    match dim {
-        2 | 3 if coordinates.len() % dim != 0 => Err(Error::invalid(message!(
+    if coordinates.len() % dim != 0 {
+        return Err(Error::invalid(message!(
             "coordinates has length {}; it must be a multiple of the dimension, {dim}",
             coordinates.len()
-        ))),
+        )));
+    }
+    match dim {
         2 => merge::<2>(coordinates, ratio),
-        3 => merge::<3>(coordinates, ratio),
-        _ => Err(Error::invalid(message!("dim is {dim}; points are merged in 2D and 3D"))),
+        _ => merge::<3>(coordinates, ratio),
     }
 }
 

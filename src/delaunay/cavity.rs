@@ -56,6 +56,8 @@ impl Cavity {
 impl<const D: usize> Delaunay<D> {
     /// Collects into `cavity` all simplices in conflict with `q`, from `start`, which is one of
     /// them.
+    // Where it is a part of several callers, its innermost loop is a call in all of them.
+    #[inline(never)]
     pub fn find_cavity(
         &mut self,
         start: SimplexId,

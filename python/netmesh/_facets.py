@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import collections.abc
+import itertools
 import numbers
 from typing import Any
 
@@ -226,7 +227,7 @@ def close_holes(points: Any, facets: Any = None, max_edges: int = 100) -> np.nda
     if not isinstance(max_edges, numbers.Integral) or not 3 <= max_edges <= 1000:
         raise InvalidArgumentError(f"max_edges is {max_edges!r}; it must be a whole number from 3 to 1000")
     found = _close_holes(rows, boundary, int(max_edges))
-    return np.array(found, np.int32).reshape(-1, 3)
+    return np.fromiter(itertools.chain.from_iterable(found), np.int32).reshape(-1, 3)
 
 
 def merge_points(points: Any, ratio: float = 1e-9) -> np.ndarray:
@@ -257,4 +258,4 @@ def merge_points(points: Any, ratio: float = 1e-9) -> np.ndarray:
     if not isinstance(ratio, numbers.Real):
         raise InvalidArgumentError(f"ratio is {ratio!r}; it must be a number from 0 to 0.001")
     coordinates, _ = _merge_points(rows, float(ratio))
-    return np.array(coordinates, np.float64).reshape(rows.shape)
+    return np.fromiter(coordinates, np.float64).reshape(rows.shape)

@@ -1,6 +1,6 @@
 //! Sizes given by values, as a function: linear in a mesh, and those of its nearest vertex beyond
 //! it. Values at the inputs are linear in the inputs' Delaunay triangulation, which is made for it.
-//! Those of the caller's function and of the curvature of facets count beside them.
+//! Sizes of the caller's function and of the curvature of facets count beside these.
 
 use crate::arrangement::space::CurvatureSizes;
 use crate::error::{Error, ErrorKind, Result};

@@ -7,10 +7,10 @@ use crate::mesh::{Facets, Mesh};
 impl Mesh {
     /// Replaces the polygons that the mesh was given in space by triangles between their inputs,
     /// with the markers of their polygons: for polygons that are not plane, which a run refuses.
-    /// Which triangles these are is seen along an axis. Those in one plane are one facet of the
-    /// mesh again, as of any surface. Returns the number of polygons; 0 if triangles were given, or
-    /// no facets. The result of an earlier run stays as it is. O(n log n) for n inputs of the
-    /// polygons.
+    /// The view of each polygon along an axis decides which triangles it becomes. Triangles in one
+    /// plane are one facet of the mesh again, as of any surface. Returns the number of polygons; 0
+    /// if triangles were given, or no facets. The result of an earlier run stays as it is. O(n log
+    /// n) for n inputs of the polygons.
     ///
     /// # Errors
     /// `InvalidArgument` (a polygon that meets itself, has no area or has segments within),

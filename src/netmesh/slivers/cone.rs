@@ -49,7 +49,12 @@ impl Cone {
 
     /// Returns true if one of the facets has all of `vertices`.
     pub fn has(&self, vertices: &[VertexId]) -> bool {
-        let holds = |side: &ConeSimplex| vertices.iter().all(|&v| side.base().any(|own| own == v));
+        // Without a branch, as `Array::push_if`.
+        let has = |side: &ConeSimplex, vertex| {
+            let own = side.vertices.iter().enumerate();
+            own.fold(false, |any, (at, &own)| any | ((own == vertex) & (at != side.apex)))
+        };
+        let holds = |side| vertices.iter().fold(true, |all, &vertex| all & has(side, vertex));
         self.sides.iter().any(holds)
     }
 

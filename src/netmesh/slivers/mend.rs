@@ -5,9 +5,10 @@ use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{Array, TryGrow};
 use crate::netmesh::slivers::candidates::Candidates;
-use crate::netmesh::slivers::queue::{Queue, Sliver};
+use crate::netmesh::slivers::queue::{Failed, Queue, Sliver};
 use crate::netmesh::slivers::random::Random;
 use crate::netmesh::slivers::shape::Measure;
+use crate::netmesh::slivers::stars::Stars;
 use crate::netmesh::slivers::work::{LEAST_GAIN, LEAST_GAIN_BEYOND, POINTS, Slivers};
 use crate::netmesh::state::Mesher;
 use crate::options::GivesWay;
@@ -58,6 +59,7 @@ impl Mesher<'_, '_, 3> {
         let most = MOST_PLACES + slivers.found;
         for (effort, passes) in (0..).zip(PASSES) {
             for _ in 0..passes {
+                self.drop_hopeless(effort, slivers)?;
                 let is_too_much = slivers.queue.failed() * places(effort) > most;
                 if is_too_much || !self.mend_failed(effort, slivers)? {
                     break;
@@ -86,7 +88,7 @@ impl Mesher<'_, '_, 3> {
             measure: Measure::new(min_dihedral, criterion, quality_bound),
             least_gain: LEAST_GAIN,
             penalties: Array::with_capacity(self.state.delaunay.complex().simplex_bound())?,
-            changed: Array::filled(self.state.delaunay.point_count(), 0)?,
+            stars: Stars::new(self.state.delaunay.point_count())?,
             queue: Queue::default(),
             candidates: Candidates::default(),
             found: 0,
@@ -141,16 +143,33 @@ impl Mesher<'_, '_, 3> {
         Ok(())
     }
 
-    /// Takes every sliver that was left, with `effort`. Returns whether any was mended. Where a
-    /// small angle of the input forces one, only the least effort is worth it.
+    /// Drops those of the slivers left that are gone or, where a small angle of the input forces
+    /// them, worth no more than the least effort.
+    fn drop_hopeless(&mut self, effort: u32, slivers: &mut Slivers) -> Result<()> {
+        for failed in slivers.queue.take_failed() {
+            let is_current = self.state.is_current(&failed.sliver, &slivers.penalties);
+            if is_current && (effort == 0 || !self.state.is_left_alone(failed.sliver.simplex)?) {
+                slivers.queue.fail(failed.sliver, failed.time)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes every sliver that was left, with `effort`. Returns whether any was mended.
     fn mend_failed(&mut self, effort: u32, slivers: &mut Slivers) -> Result<bool> {
         let mut any = false;
-        for sliver in slivers.queue.take_failed() {
+        for Failed { sliver, time } in slivers.queue.take_failed() {
             if self.state.is_exhausted(slivers) {
                 return Ok(false);
             }
-            let is_current = self.state.is_current(&sliver, &slivers.penalties);
-            if !is_current || effort > 0 && self.state.is_left_alone(sliver.simplex)? {
+            if !self.state.is_current(&sliver, &slivers.penalties) {
+                continue;
+            }
+            // The least effort would try the same places once more. Those that are not forced see
+            // what has changed farther away.
+            let is_forced = effort == 0 && self.state.is_left_alone(sliver.simplex)?;
+            if is_forced && !self.state.has_changed_since(time, &sliver, &slivers.stars) {
+                slivers.queue.fail(sliver, time)?;
                 continue;
             }
             if self.mend(&sliver, effort, slivers)? {
@@ -160,7 +179,7 @@ impl Mesher<'_, '_, 3> {
                 }
                 self.mend_waiting(slivers)?;
             } else {
-                slivers.queue.fail(sliver)?;
+                slivers.queue.fail(sliver, self.state.now())?;
             }
         }
         Ok(any)

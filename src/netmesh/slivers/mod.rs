@@ -5,6 +5,7 @@
 //! - `shape`: the penalty of a tetrahedron; the objective is the sum over all.
 //! - `queue` and `candidates`: slivers that wait, the worst first, and points for slivers that no
 //!   move mends, the best first; `log`: changes that may be undone.
+//! - `stars`: when stars changed, and when nothing helped their vertices.
 //! - `view`: the parts of a mesh by which a change is judged before it is made. `cone` has the
 //!   tetrahedra that a point would make over its cavity, `vacancy` the mesh without a vertex that
 //!   may move, `cells` the bound of the Voronoi aspect, `boundary` what conforms to facets and
@@ -40,6 +41,7 @@ pub(super) mod relaxation;
 pub(super) mod removals;
 pub(super) mod shape;
 pub(super) mod sizes;
+pub(super) mod stars;
 pub(super) mod undo;
 pub(super) mod vacancy;
 pub(super) mod view;

@@ -7,7 +7,7 @@ use crate::netmesh::slivers::random::Random;
 use crate::netmesh::slivers::vacancy::Target;
 use crate::netmesh::slivers::view::View;
 use crate::netmesh::slivers::work::Slivers;
-use crate::netmesh::state::Mesher;
+use crate::netmesh::state::{Mesher, State};
 use crate::numerics::distance;
 
 /// Places that are tried for a vertex.
@@ -24,7 +24,9 @@ const ASIDE: f64 = 0.3;
 
 impl Mesher<'_, '_, 3> {
     /// Moves one vertex such that the objective falls. Returns what that was worth. `times`: how
-    /// many times as many places as usual are tried.
+    /// many times as many places as usual are tried. Many of the slivers that a small angle of the
+    /// input forces stay whatever is tried: for them a vertex is not tried again until its star
+    /// is another.
     pub(super) fn mend_by_move(
         &mut self,
         sliver: &Sliver,
@@ -32,21 +34,18 @@ impl Mesher<'_, '_, 3> {
         random: &mut Random,
         slivers: &mut Slivers,
     ) -> Result<Option<f64>> {
-        for vertex in sliver.vertices {
-            let gain = self.mend_by_vertex(vertex, None, times, random, slivers)?;
+        let is_forced = self.state.is_left_alone(sliver.simplex)?;
+        let own = sliver.vertices.map(|vertex| (vertex, None));
+        let beside = self.state.vertices_beside(sliver).map(|apex| (apex, Some(sliver)));
+        for (vertex, into) in own.into_iter().chain(beside) {
+            if !vertex.is_valid() || is_forced && slivers.stars.is_settled(vertex) {
+                continue;
+            }
+            let gain = self.mend_by_vertex(vertex, into, times, random, slivers)?;
             if gain.is_some() {
                 return Ok(gain);
             }
-        }
-        for index in 0..=3 {
-            let neighbor = self.state.delaunay.complex().neighbors(sliver.simplex)[index];
-            let vertices = self.state.delaunay.complex().vertices(neighbor);
-            let apex = vertices.iter().find(|vertex| !sliver.vertices.contains(vertex));
-            let Some(&apex) = apex.filter(|apex| apex.is_valid()) else { continue };
-            let gain = self.mend_by_vertex(apex, Some(sliver), times, random, slivers)?;
-            if gain.is_some() {
-                return Ok(gain);
-            }
+            slivers.stars.settle(vertex, self.state.now());
         }
         Ok(None)
     }
@@ -131,5 +130,19 @@ impl Mesher<'_, '_, 3> {
             }
         }
         Ok(best)
+    }
+}
+
+impl State<3> {
+    /// Returns the vertices of the simplices beside `sliver` that it has not itself, the infinite
+    /// one at the hull.
+    fn vertices_beside(&self, sliver: &Sliver) -> [VertexId; 4] {
+        let complex = self.delaunay.complex();
+        let neighbors = complex.neighbors(sliver.simplex);
+        std::array::from_fn(|index| {
+            let vertices = complex.vertices(neighbors[index]);
+            let apex = vertices.iter().find(|vertex| !sliver.vertices.contains(vertex));
+            apex.copied().unwrap_or(VertexId::INFINITE)
+        })
     }
 }

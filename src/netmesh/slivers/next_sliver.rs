@@ -34,7 +34,7 @@ impl Mesher<'_, '_, 3> {
                 let class = class(point.gain);
                 slivers.candidates.push(Candidate { sliver: *sliver, x: point.x, class, time })?;
             }
-            None => slivers.queue.fail(*sliver)?,
+            None => slivers.queue.fail(*sliver, time)?,
         }
         Ok(())
     }
@@ -46,7 +46,8 @@ impl Mesher<'_, '_, 3> {
         if !self.state.is_current(sliver, &slivers.penalties) {
             return Ok(());
         }
-        if sliver.vertices.iter().any(|&vertex| slivers.changed[vertex] > *time) {
+        let is_new = |&vertex: &_| slivers.stars.has_changed_since(*time, vertex);
+        if sliver.vertices.iter().any(is_new) {
             return Ok(slivers.queue.push(*sliver)?);
         }
         self.state.delaunay.find_cavity(sliver.simplex, x, &mut slivers.cavity)?;

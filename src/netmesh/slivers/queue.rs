@@ -31,10 +31,18 @@ impl Ord for Sliver {
     }
 }
 
+/// A sliver that nothing has helped yet, and when it was tried last: the number of simplices that
+/// had been made by then.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Failed {
+    pub sliver: Sliver,
+    pub time: u64,
+}
+
 #[derive(Default)]
 pub(super) struct Queue {
     waiting: BinaryHeap<Sliver>,
-    failed: Vec<Sliver>,
+    failed: Vec<Failed>,
 }
 
 impl Queue {
@@ -51,13 +59,13 @@ impl Queue {
         self.waiting.pop()
     }
 
-    /// Keeps `sliver` for another pass.
-    pub fn fail(&mut self, sliver: Sliver) -> AllocResult<()> {
-        self.failed.try_push(sliver)
+    /// Keeps `sliver`, which was tried at `time`, for another pass.
+    pub fn fail(&mut self, sliver: Sliver, time: u64) -> AllocResult<()> {
+        self.failed.try_push(Failed { sliver, time })
     }
 
     /// Takes the slivers that were kept for another pass.
-    pub fn take_failed(&mut self) -> Vec<Sliver> {
+    pub fn take_failed(&mut self) -> Vec<Failed> {
         std::mem::take(&mut self.failed)
     }
 
@@ -88,10 +96,12 @@ mod tests {
         }
         let all = std::iter::from_fn(|| queue.pop()).map(|sliver| sliver.vertices[0].index());
         assert_eq!(all.collect::<Vec<_>>(), [6, 2, 3, 0]);
-        queue.fail(sliver(1.0, 4)).unwrap();
-        queue.fail(sliver(1.0, 5)).unwrap();
+        let failed = [4, 5].map(|first| Failed { sliver: sliver(1.0, first), time: 7 });
+        for Failed { sliver, time } in failed {
+            queue.fail(sliver, time).unwrap();
+        }
         assert!(queue.pop().is_none() && queue.len() == 2);
-        assert_eq!(queue.take_failed(), [sliver(1.0, 4), sliver(1.0, 5)]);
+        assert_eq!(queue.take_failed(), failed);
         assert_eq!(queue.len(), 0);
     }
 }

@@ -46,7 +46,7 @@ impl Mesher<'_, '_, 3> {
         }
         for sliver in slivers.log.take().unwrap_or_default().fresh {
             if self.state.is_current(&sliver, &slivers.penalties) {
-                slivers.queue.fail(sliver)?;
+                slivers.queue.fail(sliver, 0)?;
             }
         }
         Ok(())

@@ -5,6 +5,7 @@ use crate::error::Result;
 use crate::memory::TryGrow;
 use crate::netmesh::slivers::queue::Sliver;
 use crate::netmesh::slivers::shape::{Measure, tetrahedron};
+use crate::netmesh::slivers::stars::Stars;
 use crate::netmesh::slivers::work::Slivers;
 use crate::netmesh::state::{Mesher, State};
 
@@ -22,7 +23,7 @@ impl State<3> {
     pub(super) fn weigh(&mut self, created: &[SimplexId], slivers: &mut Slivers) -> Result<()> {
         let bound = self.delaunay.complex().simplex_bound();
         slivers.penalties.cover(bound, 0.0)?;
-        slivers.changed.cover(self.delaunay.point_count(), 0)?;
+        slivers.stars.cover(self.delaunay.point_count())?;
         self.refine_list.forget(created, bound)?;
         let now = self.now();
         for &simplex in created {
@@ -31,7 +32,7 @@ impl State<3> {
             self.note_corner(simplex);
             for &vertex in self.delaunay.complex().vertices(simplex) {
                 if vertex.is_valid() {
-                    slivers.changed[vertex] = now;
+                    slivers.stars.change(vertex, now);
                 }
             }
             if penalty > 0.0 {
@@ -66,6 +67,15 @@ impl State<3> {
             false => 0.0,
         };
         Ok(if penalty > 0.0 && self.is_outside(simplex)? { 0.0 } else { penalty })
+    }
+
+    /// Returns true if a star at a vertex of `sliver`, or of a simplex beside it, is another than
+    /// when `time` simplices were made.
+    pub(super) fn has_changed_since(&self, time: u64, sliver: &Sliver, stars: &Stars) -> bool {
+        let complex = self.delaunay.complex();
+        let is_new = |&vertex: &VertexId| stars.has_changed_since(time, vertex);
+        let mut beside = complex.neighbors(sliver.simplex).iter();
+        beside.any(|&neighbor| complex.vertices(neighbor).iter().any(is_new))
     }
 
     pub(super) fn sliver(&self, simplex: SimplexId, penalty: f32) -> Sliver {

@@ -8,6 +8,7 @@ use crate::netmesh::slivers::cone::Cone;
 use crate::netmesh::slivers::log::Log;
 use crate::netmesh::slivers::queue::Queue;
 use crate::netmesh::slivers::shape::Measure;
+use crate::netmesh::slivers::stars::Stars;
 use crate::netmesh::slivers::vacancy::Vacancy;
 use crate::netmesh::state::State;
 
@@ -24,8 +25,7 @@ pub(super) struct Slivers {
     pub least_gain: f64,
     /// Simplex -> its penalty in the objective; stale for a dead one.
     pub penalties: Array<f32>,
-    /// Vertex -> the number of simplices made when its star changed last.
-    pub changed: Array<u64>,
+    pub stars: Stars,
     pub queue: Queue,
     pub candidates: Candidates,
     /// The number of slivers that the mesh had at first.

@@ -38,6 +38,34 @@ fn refinement_of_wedges_ends() {
     }
 }
 
+/// Returns a unit cube with a further vertex beside an edge, `part` of the way along it, which makes
+/// a needle of that height.
+fn cube_with_needle(height: f64, part: f64) -> Solid {
+    let mut solid = cuboid([0.0; 3], [1.0; 3]);
+    let [x, y, z] = [part, -0.6 * height, 1.0 + 0.8 * height];
+    solid.points.push([x, y, z]);
+    let at = |place: [f64; 3]| solid.points.iter().position(|&x| x == place).unwrap() as u32;
+    let corner = |x: u8, y: u8, z: u8| at([x, y, z].map(f64::from));
+    let [a, b] = [corner(0, 0, 1), corner(1, 0, 1)];
+    let [c, d] = [corner(1, 0, 0), corner(0, 0, 0)];
+    let apex = 8;
+    let is_front = |polygon: &Vec<u32>| [a, b, c, d].iter().all(|corner| polygon.contains(corner));
+    solid.polygons.retain(|polygon| !is_front(polygon));
+    let own = [[d, c, apex], [c, b, apex], [a, d, apex], [a, apex, b]];
+    solid.polygons.extend(own.map(Vec::from));
+    solid
+}
+
+#[test]
+fn sides_of_needles_are_split_opposite_each_other() {
+    for height in [1e-3, 1e-5, 1e-7] {
+        for part in [0.8, 0.55, 0.3] {
+            let mesh = cube_with_needle(height, part).run(&bounded(2.0));
+            assert!(mesh.vertex_count() <= 20, "{height} {part}: {}", mesh.vertex_count());
+        }
+    }
+}
+
 #[test]
 fn thin_slabs_conform_with_their_corners() {
     for thickness in [1e-3, 1e-6, 1e-9, 1e-12] {

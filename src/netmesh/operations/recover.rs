@@ -66,7 +66,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             return Ok(false);
         }
         let own = *self.state.segments.chains.get(subsegment);
-        let (place, x) = self.state.splitting_point(&own);
+        let (place, x) = self.state.splitting_point(&own)?;
         let near = self.state.delaunay.complex().incident(a);
         if self.state.delaunay.vertex_at(near, &x).is_some() {
             return Ok(false);
@@ -146,7 +146,7 @@ impl<const D: usize> State<D> {
         let own = *self.segments.chains.get(subsegment);
         let Subsegment { ends, line, .. } = own;
         if !may_stay {
-            let (_, x) = self.splitting_point(&own);
+            let (_, x) = self.splitting_point(&own)?;
             let State { delaunay, segments: SegmentState { chains, .. }, .. } = self;
             let vertex = delaunay.vertex_at(delaunay.complex().incident(ends[0]), &x);
             let beside = vertex.and_then(|vertex| chains.line_at(vertex));

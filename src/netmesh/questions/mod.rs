@@ -7,6 +7,7 @@
 //! - `steiner_point`: the point that mends a bad simplex.
 //! - `nearby`: the vertices and inputs near a point.
 //! - `subsegments`: the edges that subsegments are, and the points that split them.
+//! - `opposite`: the places opposite vertices of lines that run beside them.
 //! - `subfacets`: whether subfacets are in the mesh, and ways through sheets.
 //! - `feature_size`: the distance from an end of lines to what does not go through it.
 //! - `regions`: the region of a simplex.
@@ -20,6 +21,7 @@ pub(super) mod encroachment;
 pub(super) mod exempt;
 pub(super) mod feature_size;
 pub(super) mod nearby;
+pub(super) mod opposite;
 pub(super) mod permission;
 pub(super) mod quality;
 pub(super) mod regions;

@@ -1,9 +1,11 @@
 //! Subsegments: the edges that they are, and the points that split them. That is the middle, but at
 //! the ends of lines that make a sharp angle with others a point of concentric shells about that
 //! end, whose radii are powers of two. So the subsegments of all these lines are as long as each
-//! other there, and none encroaches another.
+//! other there, and none encroaches another. In space a subsegment that another line runs beside is
+//! split opposite a vertex of that.
 
 use crate::complex::{VertexId, position};
+use crate::memory::AllocResult;
 use crate::netmesh::state::State;
 use crate::netmesh::state::segments::chain::{Fraction, Line, Subsegment};
 use crate::numerics::{distance, offset_from_line, point_at_level, point_between};
@@ -31,15 +33,24 @@ impl<const D: usize> State<D> {
     /// Returns the place on its line at which a subsegment is to be split, and the vertex there;
     /// one of its ends where doubles have none between.
     pub(in crate::netmesh) fn splitting_point(
-        &self,
+        &mut self,
         subsegment: &Subsegment,
-    ) -> (Fraction, [f64; D]) {
+    ) -> AllocResult<(Fraction, [f64; D])> {
+        let ends = self.segments.chains.lines[subsegment.line as usize].ends;
+        let center = self.shell_of(subsegment).map(|(end, _)| ends[end as usize]);
+        let opposite = match self.in_space() {
+            Some(state) => state.place_opposite(subsegment, center)?,
+            None => None,
+        };
         let place = self.splitting_place(subsegment);
-        let x = self.point_at(subsegment.line, place);
         let [a, b] = subsegment.ends.map(|end| self.delaunay.point(end));
-        let is_between = |k: usize| (a[k] < x[k] && x[k] < b[k]) || (b[k] < x[k] && x[k] < a[k]);
-        if (0..D).any(is_between) {
-            return (place, x);
+        for place in opposite.into_iter().chain([place]) {
+            let x = self.point_at(subsegment.line, place);
+            let is_between =
+                |k: usize| (a[k] < x[k] && x[k] < b[k]) || (b[k] < x[k] && x[k] < a[k]);
+            if (0..D).any(is_between) {
+                return Ok((place, x));
+            }
         }
         // Parts of a line are too coarse where a coordinate comes to zero on the way: doubles are
         // finer there than at the line's ends.
@@ -47,7 +58,7 @@ impl<const D: usize> State<D> {
         let axis = (1..D).fold(0, |axis, k| if units(k) > units(axis) { k } else { axis });
         let line = self.segments.chains.lines[subsegment.line as usize];
         let line = line.ends.map(|end| self.delaunay.point(end));
-        (place, point_at_level(line, axis, 0.5 * a[axis] + 0.5 * b[axis]))
+        Ok((place, point_at_level(line, axis, 0.5 * a[axis] + 0.5 * b[axis])))
     }
 
     /// Returns the place on its line at which a subsegment is to be split.

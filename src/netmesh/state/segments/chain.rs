@@ -203,16 +203,21 @@ impl Chains {
         }
     }
 
-    /// Returns the first of the lines that `vertex` is on, be it an end of them or not.
-    pub fn line_at(&self, vertex: VertexId) -> Option<u32> {
-        match self.place(vertex) {
-            OnChain::Elsewhere => None,
+    /// Returns the lines that `vertex` is on, be it an end of them or not.
+    pub fn lines_at(&self, vertex: VertexId) -> impl Iterator<Item = u32> {
+        let own = match self.place(vertex) {
             OnChain::End(end) => {
                 let [start, end] = [end, end + 1].map(|at| self.starts[at as usize] as usize);
-                self.at_ends[start..end].iter().map(|at_end| at_end.line).min()
+                &self.at_ends[start..end]
             }
-            OnChain::Between([before, _]) => Some(self.get(before).line),
-        }
+            _ => &[],
+        };
+        self.line_through(vertex).into_iter().chain(own.iter().map(|at_end| at_end.line))
+    }
+
+    /// Returns the first of the lines that `vertex` is on, be it an end of them or not.
+    pub fn line_at(&self, vertex: VertexId) -> Option<u32> {
+        self.lines_at(vertex).min()
     }
 
     /// Returns the vertices next to `vertex` on the line that it is on and no end of.

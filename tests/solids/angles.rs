@@ -38,8 +38,8 @@ fn refinement_of_wedges_ends() {
     }
 }
 
-/// Returns a unit cube with a further vertex beside an edge, `part` of the way along it, which makes
-/// a needle of that height.
+/// Returns a unit cube with a further vertex beside an edge, `part` of the way along it, for a
+/// needle of that height.
 fn cube_with_needle(height: f64, part: f64) -> Solid {
     let mut solid = cuboid([0.0; 3], [1.0; 3]);
     let [x, y, z] = [part, -0.6 * height, 1.0 + 0.8 * height];

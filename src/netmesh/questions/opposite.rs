@@ -38,15 +38,18 @@ impl Opposite {
 impl State<3> {
     /// Returns the place at which a subsegment of a line with a small angle is opposite a vertex of
     /// another line that runs beside it; that nearest to the middle, if there are several. Lines
-    /// that have `center`, about which the subsegment is split on shells, do not count.
+    /// that have the end number `shell_end`, about which the subsegment is split on shells, do not
+    /// count.
     pub(super) fn place_opposite(
         &mut self,
         own: &Subsegment,
-        center: Option<VertexId>,
+        shell_end: Option<u8>,
     ) -> AllocResult<Option<Fraction>> {
         if !self.facets.is_sharp_line(own.line) {
             return Ok(None);
         }
+        let ends = self.segments.chains.lines[own.line as usize].ends;
+        let center = shell_end.map(|end| ends[end as usize]);
         let mut star = std::mem::take(&mut self.facets.star);
         let mut best: Option<Opposite> = None;
         for end in own.ends {

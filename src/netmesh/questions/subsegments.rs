@@ -29,6 +29,19 @@ fn unit_below(x: f64) -> f64 {
     x - x.next_down()
 }
 
+/// Returns the place on its line at which a subsegment is to be split, if that is no place opposite
+/// a vertex: on its shell, or in the middle.
+fn splitting_place(subsegment: &Subsegment, shell: Option<(u8, f64)>) -> Fraction {
+    let [first, second] = subsegment.fractions;
+    match shell {
+        Some((end, ratio)) => {
+            let far = if end == 0 { second } else { first };
+            Fraction::at(end, far.seen_from(end) * ratio)
+        }
+        None => first.middle(second),
+    }
+}
+
 impl<const D: usize> State<D> {
     /// Returns the place on its line at which a subsegment is to be split, and the vertex there;
     /// one of its ends where doubles have none between.
@@ -36,13 +49,12 @@ impl<const D: usize> State<D> {
         &mut self,
         subsegment: &Subsegment,
     ) -> AllocResult<(Fraction, [f64; D])> {
-        let ends = self.segments.chains.lines[subsegment.line as usize].ends;
-        let center = self.shell_of(subsegment).map(|(end, _)| ends[end as usize]);
+        let shell = self.shell_of(subsegment);
         let opposite = match self.in_space() {
-            Some(state) => state.place_opposite(subsegment, center)?,
+            Some(state) => state.place_opposite(subsegment, shell.map(|(end, _)| end))?,
             None => None,
         };
-        let place = self.splitting_place(subsegment);
+        let place = splitting_place(subsegment, shell);
         let [a, b] = subsegment.ends.map(|end| self.delaunay.point(end));
         for place in opposite.into_iter().chain([place]) {
             let x = self.point_at(subsegment.line, place);
@@ -59,18 +71,6 @@ impl<const D: usize> State<D> {
         let line = self.segments.chains.lines[subsegment.line as usize];
         let line = line.ends.map(|end| self.delaunay.point(end));
         Ok((place, point_at_level(line, axis, 0.5 * a[axis] + 0.5 * b[axis])))
-    }
-
-    /// Returns the place on its line at which a subsegment is to be split.
-    fn splitting_place(&self, subsegment: &Subsegment) -> Fraction {
-        let [first, second] = subsegment.fractions;
-        match self.shell_of(subsegment) {
-            Some((end, ratio)) => {
-                let far = if end == 0 { second } else { first };
-                Fraction::at(end, far.seen_from(end) * ratio)
-            }
-            None => first.middle(second),
-        }
     }
 
     /// Returns the end of the line, if just that end of the subsegment is a sharp one, and how far

@@ -1,10 +1,11 @@
 """Meshes all surfaces of folders, beside TetGen, and tells what became of each.
 
-    survey.py NETMESH FOLDER... [--peer PYTHON] [--seconds S] [--merge RATIO] > table.md
+    survey.py NETMESH FOLDER... [--peer PYTHON] [--seconds S] [--merge RATIO] [--jobs N] > table.md
 
 NETMESH is the program: with its defaults for parts, and once more with `--min-dihedral 0`, which is
 what TetGen's `-pq2` asks for. PYTHON has numpy, trimesh and PyPI's tetgen, for peer.py. A surface that
 NETMESH refuses is diagnosed, and tried with `--crossings split`. Seconds are those of a processor.
+N surfaces are meshed at a time.
 """
 import argparse
 import json
@@ -15,6 +16,7 @@ import signal
 import statistics
 import subprocess
 import tempfile
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 SURFACES = {".stl", ".off", ".obj", ".ply", ".poly", ".smesh"}
@@ -83,11 +85,17 @@ def diagnosis(arguments, path, folder):
     return f"{'; '.join(told)}; {became}"
 
 
-def row(arguments, path, folder, found):
+def row(arguments, path):
+    """Returns the line of a surface, and what was found if it was meshed."""
+    with tempfile.TemporaryDirectory() as folder:
+        return row_in(arguments, path, Path(folder))
+
+
+def row_in(arguments, path, folder):
     name = f"{path.parent.name}/{path.name}"
     record, why = mesh(arguments, path, [], folder)
     if record is None:
-        return f"| {name} | {why[:90]}; {diagnosis(arguments, path, folder)} |"
+        return f"| {name} | {why[:90]}; {diagnosis(arguments, path, folder)} |", None
     plain, _ = mesh(arguments, path, ["--min-dihedral", "0"], folder)
     quality = record["quality"]
     own = [
@@ -103,9 +111,9 @@ def row(arguments, path, folder, found):
         f"{plain['seconds']:.2f}" if plain else "",
     ]
     peer, why = by_peer(arguments, path)
-    found.append((name, record, plain, peer))
+    found = (name, record, plain, peer)
     if peer is None:
-        return f"| {name} | {' | '.join(map(str, own))} | {why} |"
+        return f"| {name} | {' | '.join(map(str, own))} | {why} |", found
     others = [
         peer["vertices"],
         f"{peer['seconds']:.2f}",
@@ -114,7 +122,7 @@ def row(arguments, path, folder, found):
         peer["not_delaunay"],
         f"{peer['min_angle_degrees']:.3g}",
     ]
-    return f"| {name} | {' | '.join(map(str, own))} | {' | '.join(map(str, others))} |"
+    return f"| {name} | {' | '.join(map(str, own))} | {' | '.join(map(str, others))} |", found
 
 
 def summary(found):
@@ -144,15 +152,18 @@ def main():
     parser.add_argument("--peer")
     parser.add_argument("--seconds", type=int, default=60)
     parser.add_argument("--merge")
+    parser.add_argument("--jobs", type=int, default=1)
     arguments = parser.parse_args()
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     paths = (path for folder in arguments.folders for path in folder.rglob("*"))
     files = sorted(path for path in paths if path.suffix.lower() in SURFACES)
     print(HEAD + "\n" + "|---" * 17 + "|", flush=True)
     found = []
-    for path in files:
-        with tempfile.TemporaryDirectory() as folder:
-            print(row(arguments, path, Path(folder), found), flush=True)
+    with ThreadPoolExecutor(arguments.jobs) as pool:
+        for line, one in pool.map(lambda path: row(arguments, path), files):
+            print(line, flush=True)
+            if one is not None:
+                found.append(one)
     print("\n" + summary(found))
 
 

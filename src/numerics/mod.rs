@@ -49,8 +49,8 @@ pub use exact::{ScaledCenter, circumcenter_exact, in_ball_exact, orientation_exa
 pub use filters::{Circumball, in_ball, orientation, orientation_filtered};
 pub(crate) use filters::{F64x2, Hyperplane, Real};
 pub use lengths::{
-    cross, distance, distance_to_edge, distance_to_line, distance_to_triangle, dot, norm,
-    shortest_distance,
+    cross, distance, distance_to_edge, distance_to_line, distance_to_triangle, dot, foot_on_line,
+    norm, shortest_distance,
 };
 pub(crate) use power::scale_by_power;
 pub use random::{SplitMix, mixed};

@@ -38,6 +38,63 @@ fn refinement_of_wedges_ends() {
     }
 }
 
+/// Returns a tetrahedron with an edge of length 1 at which two sides meet at an angle in degrees;
+/// their third corners are as far along the edge as `along` says.
+fn fold(degrees: f64, along: [f64; 2]) -> Solid {
+    let (sine, cosine) = degrees.to_radians().sin_cos();
+    Solid {
+        points: vec![[0.0; 3], [1.0, 0.0, 0.0], [along[0], 1.0, 0.0], [along[1], cosine, sine]],
+        polygons: vec![vec![0, 2, 1], vec![0, 1, 3], vec![1, 2, 3], vec![0, 3, 2]],
+        regions: Vec::new(),
+    }
+}
+
+/// Returns the number of vertices of a solid in a large box, with inputs beside one of its sides,
+/// all of the box with a radius-edge ratio of 2.
+fn vertices_in_box(mut solid: Solid) -> usize {
+    solid.points.extend([[-6.0; 3], [8.0; 3]]);
+    solid.points.extend((0..5).map(|at| {
+        let at = f64::from(at);
+        [0.3 + 0.08 * at, 2e-3 + 3e-3 * at, -5e-4 - 1e-4 * at]
+    }));
+    let mut mesh = solid.mesh();
+    let limit = Options { extent: Extent::Box, max_vertices: 20_000, ..bounded(2.0) };
+    mesh.run(&limit, None).unwrap_or_else(|error| panic!("{error}"));
+    assert_holds(&mesh);
+    mesh.result().unwrap().vertex_count()
+}
+
+/// Split at the centres of circles, the sides of a wedge were split for each other without an end.
+#[test]
+fn both_sides_of_a_wedge_are_split_alike() {
+    for degrees in [30.0, 5.0, 1.0, 0.1, 1e-3] {
+        let count = vertices_in_box(wedge(degrees));
+        assert!(count <= 1000, "{degrees}: {count} vertices");
+    }
+}
+
+/// The angle at an edge is that between the planes there, wherever the third corners are.
+#[test]
+fn sides_whose_corners_are_beyond_their_edge_meet_at_its_angle() {
+    for (along, most) in [([0.5; 2], 1000), ([5.0; 2], 1000), ([3.0, -2.0], 6000)] {
+        let count = vertices_in_box(fold(5.0, along));
+        assert!(count <= most, "{along:?}: {count} vertices");
+    }
+}
+
+/// Roundings of a plane that is no axis' are some 1e-7 of the smallest gap.
+#[test]
+fn boxes_with_a_narrow_gap_stay_coarse() {
+    for (gap, most) in [(1e-3, 60), (1e-6, 60), (1e-9, 1000)] {
+        let other = cuboid([0.3, 0.3, 1.0 + gap], [0.7, 0.8, 1.6]);
+        let both = cuboid([0.0; 3], [1.0; 3]).with(&other);
+        for solid in [both.clone(), both.moved(super::tilted)] {
+            let mesh = solid.run(&bounded(2.0));
+            assert!(mesh.vertex_count() <= most, "{gap}: {} vertices", mesh.vertex_count());
+        }
+    }
+}
+
 /// Returns a unit cube with a further vertex beside an edge, `part` of the way along it, for a
 /// needle of that height.
 fn cube_with_needle(height: f64, part: f64) -> Solid {

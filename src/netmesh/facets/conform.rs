@@ -54,7 +54,7 @@ impl Mesher<'_, '_, 3> {
                 .iter()
                 .map(|triangle| triangle.0.map(|vertex| *self.state.delaunay.point(vertex)));
             let plane = Plane::of(&collected(points)?);
-            facets.push(Facet { parent: facet.parent, plane });
+            facets.push(Facet { parent: facet.parent, plane, first_radius: f64::INFINITY });
             rest = &rest[own..];
         }
         let balances = collected(arrangement.facets.iter().map(|facet| facet.balance))?;

@@ -6,6 +6,7 @@ use crate::memory::{AllocResult, TryGrow, collected, filled};
 use crate::netmesh::questions::small_angles::{SMALL, SMALL_DIHEDRAL, cosine};
 use crate::netmesh::state::State;
 use crate::netmesh::state::facets::Meeting;
+use crate::numerics::foot_on_line;
 
 /// Pairs of facets at a vertex with more of them are not told.
 const MOST_FACETS: usize = 1000;
@@ -89,14 +90,15 @@ impl State<3> {
         Ok(())
     }
 
-    /// Returns the direction from a line into a page of it, at a right angle to the line.
+    /// Returns the direction from a line into a page of it, at a right angle to the line. The vertex
+    /// opposite may be beyond an end of the line.
     fn way_into(&self, page: u32, line: u32) -> [f64; 3] {
         let ends = self.segments.chains.lines[line as usize].ends;
         let own = self.facets.get(page);
         let is_end = |vertex: &VertexId| ends.contains(vertex);
         let apex = own.vertices.into_iter().find(|vertex| !is_end(vertex)).unwrap_or(ends[0]);
-        let foot = self.foot(ends, apex, apex);
         let apex = self.delaunay.point(apex);
+        let foot = foot_on_line(apex, ends.map(|end| self.delaunay.point(end)));
         std::array::from_fn(|k| apex[k] - foot[k])
     }
 }

@@ -13,7 +13,8 @@ use crate::netmesh::state::State;
 const ROUNDING: f64 = 1e-13;
 
 impl State<3> {
-    /// Flips edges until all sheets are Delaunay, and queues all subfacets.
+    /// Flips edges until all sheets are Delaunay, notes how small their subfacets are, and queues
+    /// all of these.
     pub(in crate::netmesh) fn make_sheets_delaunay(&mut self) -> AllocResult<()> {
         let mut waiting = Vec::new();
         for subfacet in 0..self.facets.len() as u32 {
@@ -26,7 +27,9 @@ impl State<3> {
             }
         }
         for subfacet in 0..self.facets.len() as u32 {
-            self.queue_subfacet(subfacet)?;
+            let (_, radius) = self.circle_of(subfacet);
+            self.facets.note_first_radius(subfacet, radius);
+            self.facets.wait(subfacet, radius)?;
         }
         Ok(())
     }
@@ -37,7 +40,7 @@ impl State<3> {
             return false;
         }
         let (sine, is_convex) = self.diagonal(subfacet, edge);
-        is_convex && sine < -ROUNDING
+        is_convex && sine < -ROUNDING && !self.would_repeat(subfacet, edge)
     }
 
     /// Queues a subfacet to be looked for in the mesh.

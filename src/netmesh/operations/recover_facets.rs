@@ -150,7 +150,7 @@ impl State<3> {
             }
             let has_both =
                 self.has_face(&[apex, a, beyond])? && self.has_face(&[apex, beyond, b])?;
-            if sine.abs() < COCIRCULAR || has_both {
+            if (sine.abs() < COCIRCULAR || has_both) && !self.would_repeat(subfacet, edge) {
                 for changed in self.facets.flip(subfacet, edge)? {
                     self.queue_subfacet(changed)?;
                 }
@@ -160,9 +160,13 @@ impl State<3> {
         Ok(false)
     }
 
-    /// Returns what is to be split for a subfacet: a subsegment that is between it and the centre
-    /// of its circle, or that the centre encroaches, or the subfacet itself at the centre.
+    /// Returns what is to be split for a subfacet: its facet at the image of a vertex beside it,
+    /// otherwise at the centre of its circle; or a subsegment that is between it and the centre, or
+    /// that such a vertex would encroach.
     pub(super) fn split_for(&mut self, subfacet: u32) -> AllocResult<Split> {
+        if let Some((at, x)) = self.image_to_split_at(subfacet)? {
+            return self.split_at(at, x);
+        }
         let (center, _) = self.circle_of(subfacet);
         let x = self.facets.plane_of(subfacet).at(&center);
         if x.iter().any(|x| !x.is_finite()) {
@@ -170,11 +174,15 @@ impl State<3> {
         }
         match self.walk_in_sheet(subfacet, &x) {
             OnSheet::Beyond(subsegment) => Ok(Split::Subsegment(subsegment)),
-            OnSheet::At { subfacet: at, .. } => {
-                let encroached = self.encroached_in_sheet(at, &x)?;
-                Ok(encroached.map_or(Split::Subfacet(at, x), Split::Subsegment))
-            }
+            OnSheet::At { subfacet: at, .. } => self.split_at(at, x),
         }
+    }
+
+    /// Returns what is to be split for a vertex at `x`, which is in a subfacet: a subsegment that
+    /// it would encroach, or the subfacet.
+    fn split_at(&mut self, subfacet: u32, x: [f64; 3]) -> AllocResult<Split> {
+        let encroached = self.encroached_in_sheet(subfacet, &x)?;
+        Ok(encroached.map_or(Split::Subfacet(subfacet, x), Split::Subsegment))
     }
 
     /// Returns a subsegment that is encroached by `x`, which is in a subfacet, among those at the

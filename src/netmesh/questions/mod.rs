@@ -8,6 +8,7 @@
 //! - `nearby`: the vertices and inputs near a point.
 //! - `subsegments`: the edges that subsegments are, and the points that split them.
 //! - `opposite`: the places opposite vertices of lines that run beside them.
+//! - `mirror`: the places in facets beside vertices that are near to their planes.
 //! - `subfacets`: whether subfacets are in the mesh, and ways through sheets.
 //! - `feature_size`: the distance from an end of lines to what does not go through it.
 //! - `regions`: the region of a simplex.
@@ -20,6 +21,7 @@ pub(super) mod cage_site;
 pub(super) mod encroachment;
 pub(super) mod exempt;
 pub(super) mod feature_size;
+pub(super) mod mirror;
 pub(super) mod nearby;
 pub(super) mod opposite;
 pub(super) mod permission;

@@ -114,6 +114,14 @@ impl State<3> {
         (sine, is_convex)
     }
 
+    /// Returns true if a flip of an inner edge of a subfacet would make a subfacet that is there
+    /// already. That is so where roundings have turned a triangle of the sheet over.
+    pub(in crate::netmesh) fn would_repeat(&self, subfacet: u32, edge: usize) -> bool {
+        let own = self.facets.get(subfacet);
+        let (apex, beyond) = (own.vertices[edge], self.opposite(subfacet, edge));
+        own.ends(edge).into_iter().any(|end| self.facets.face(&[apex, beyond, end]).is_some())
+    }
+
     /// Returns the place of `x`, which is in the plane of a subfacet's facet, by a straight way
     /// from there through the sheet.
     pub(in crate::netmesh) fn walk_in_sheet(&self, from: u32, x: &[f64; 3]) -> OnSheet {

@@ -11,4 +11,6 @@ mod triangle;
 pub(super) use norm::largest_magnitude;
 pub use norm::{distance, norm};
 pub use shortest::shortest_distance;
-pub use triangle::{cross, distance_to_edge, distance_to_line, distance_to_triangle, dot};
+pub use triangle::{
+    cross, distance_to_edge, distance_to_line, distance_to_triangle, dot, foot_on_line,
+};

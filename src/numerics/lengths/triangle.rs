@@ -41,6 +41,14 @@ pub fn distance_to_line(x: &Point, [a, b]: [&Point; 2]) -> f64 {
     if length > 0.0 { norm(&cross(&way, &minus(x, a))) } else { distance(x, a) }
 }
 
+/// Returns the point of the line through two points that is nearest to `x`, but for roundings; the
+/// first if they are one.
+pub fn foot_on_line(x: &Point, [a, b]: [&Point; 2]) -> Point {
+    let way = unit(minus(b, a)).0;
+    let along = dot(&minus(x, a), &way);
+    std::array::from_fn(|k| a[k] + along * way[k])
+}
+
 /// Returns the distance of `x` from a triangle, but for roundings.
 pub fn distance_to_triangle(x: &Point, [a, b, c]: [&Point; 3]) -> f64 {
     let normal = unit(cross(&unit(minus(b, a)).0, &unit(minus(c, a)).0)).0;
@@ -76,6 +84,14 @@ mod tests {
             let size = distance(&a, &b).max(distance(&a, &c));
             assert!(own <= nearest + 1e-12 && nearest <= own + size / 20.0, "{own} {nearest}");
         }
+    }
+
+    #[test]
+    fn feet_may_be_beyond_the_ends() {
+        let [a, b] = [[1.0, 1.0, 0.0], [3.0, 1.0, 0.0]];
+        assert_eq!(foot_on_line(&[7.0, 4.0, -2.0], [&a, &b]), [7.0, 1.0, 0.0]);
+        assert_eq!(foot_on_line(&[-7.0, 4.0, -2.0], [&b, &a]), [-7.0, 1.0, 0.0]);
+        assert_eq!(foot_on_line(&[7.0, 4.0, -2.0], [&a, &a]), a);
     }
 
     #[test]

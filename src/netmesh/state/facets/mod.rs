@@ -86,6 +86,8 @@ pub(in crate::netmesh) struct Facet {
     /// The first of the caller's facets that it is made of.
     pub parent: u32,
     pub plane: Plane,
+    /// Radius of its smallest subfacet before any was split; infinite until that is known.
+    pub first_radius: f64,
 }
 
 /// Part of a facet between subsegments: it has one region on either side.
@@ -344,6 +346,12 @@ impl Facets {
 
     pub fn plane_of(&self, subfacet: u32) -> &Plane {
         &self.facets[self.get(subfacet).facet as usize].plane
+    }
+
+    /// Notes the radius of a subfacet that was not split yet.
+    pub fn note_first_radius(&mut self, subfacet: u32, radius: f64) {
+        let own = &mut self.facets[self.subfacets[subfacet as usize].facet as usize];
+        own.first_radius = own.first_radius.min(radius);
     }
 
     /// Returns true if `vertex` is on a facet.

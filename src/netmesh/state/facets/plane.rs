@@ -73,6 +73,19 @@ impl Plane {
         on
     }
 
+    /// Returns the point of the plane that is nearest to `x`, rounded.
+    pub fn foot(&self, x: &[f64; 3]) -> [f64; 3] {
+        let height = x[self.dropped] - self.at(x)[self.dropped];
+        let slopes = self.slopes.map(|slope| slope.high);
+        // The normal is (-slopes, 1).
+        let part = height / (1.0 + slopes[0] * slopes[0] + slopes[1] * slopes[1]);
+        let mut foot = *x;
+        for (axis, slope) in self.axes.into_iter().zip(slopes) {
+            foot[axis] += part * slope;
+        }
+        self.at(&foot)
+    }
+
     /// Returns true if `x` is on the plane within roundings.
     pub fn is_near(&self, x: &[f64; 3]) -> bool {
         let (on, own) = (self.at(x)[self.dropped], x[self.dropped]);
@@ -123,6 +136,24 @@ mod tests {
             let plane = Plane::of(&triangles);
             for (x, y) in [(0.25, 0.75), (0.1, 0.7), (1e-9, 0.3)] {
                 assert_eq!(plane.at(&place(x, y)), place(x, y), "{face:?} {x} {y}");
+            }
+        }
+    }
+
+    #[test]
+    fn feet_are_at_a_right_angle() {
+        for face in FACES {
+            // The plane z = x / 2 - y / 4, and points of it moved along its normal.
+            let place = |x: f64, y: f64, height: f64| {
+                let mut all = [0.0; 3];
+                let moved = [x - 0.5 * height, y + 0.25 * height, 0.5 * x - 0.25 * y + height];
+                face.into_iter().zip(moved).for_each(|(axis, x)| all[axis] = x);
+                all
+            };
+            let plane =
+                Plane::of(&[[place(0.0, 0.0, 0.0), place(1.0, 0.0, 0.0), place(0.0, 3.0, 0.0)]]);
+            for (x, y, height) in [(0.25, 0.75, 1.0), (-1.5, 4.0, -2.0), (1.0, 2.0, 0.0)] {
+                assert_eq!(plane.foot(&place(x, y, height)), place(x, y, 0.0), "{face:?} {height}");
             }
         }
     }

@@ -90,8 +90,8 @@ impl State<3> {
         Ok(())
     }
 
-    /// Returns the direction from a line into a page of it, at a right angle to the line. The vertex
-    /// opposite may be beyond an end of the line.
+    /// Returns the direction from a line into a page of it, at a right angle to the line. The
+    /// vertex opposite may be beyond an end of the line.
     fn way_into(&self, page: u32, line: u32) -> [f64; 3] {
         let ends = self.segments.chains.lines[line as usize].ends;
         let own = self.facets.get(page);

@@ -165,7 +165,7 @@ impl State<3> {
     /// that such a vertex would encroach.
     pub(super) fn split_for(&mut self, subfacet: u32) -> AllocResult<Split> {
         if let Some((at, x)) = self.image_to_split_at(subfacet)? {
-            return self.split_at(at, x);
+            return self.split_to_insert(at, x);
         }
         let (center, _) = self.circle_of(subfacet);
         let x = self.facets.plane_of(subfacet).at(&center);
@@ -174,13 +174,13 @@ impl State<3> {
         }
         match self.walk_in_sheet(subfacet, &x) {
             OnSheet::Beyond(subsegment) => Ok(Split::Subsegment(subsegment)),
-            OnSheet::At { subfacet: at, .. } => self.split_at(at, x),
+            OnSheet::At { subfacet: at, .. } => self.split_to_insert(at, x),
         }
     }
 
     /// Returns what is to be split for a vertex at `x`, which is in a subfacet: a subsegment that
     /// it would encroach, or the subfacet.
-    fn split_at(&mut self, subfacet: u32, x: [f64; 3]) -> AllocResult<Split> {
+    fn split_to_insert(&mut self, subfacet: u32, x: [f64; 3]) -> AllocResult<Split> {
         let encroached = self.encroached_in_sheet(subfacet, &x)?;
         Ok(encroached.map_or(Split::Subfacet(subfacet, x), Split::Subsegment))
     }

@@ -15,14 +15,14 @@ use crate::netmesh::questions::subfacets::OnSheet;
 use crate::netmesh::state::State;
 use crate::netmesh::state::facets::Meeting;
 use crate::netmesh::state::facets::plane::Plane;
-use crate::numerics::{distance, foot_on_line, norm};
+use crate::numerics::{distance, foot_on_line, norm, orientation};
 
 /// Largest distance of a vertex from its image, relative to that of the image from the nearest
 /// vertex in the sheet, where the image is a copy.
 const BESIDE_COPY: f64 = 0.3;
 
-/// The same where the image is a foot, for a subfacet of ordinary size. With 0.3 a wall has a third
-/// more vertices, and most surfaces have as many as without images.
+/// Largest such part where the image is a foot, for a subfacet of ordinary size. With 0.3 a wall
+/// has a third more vertices, and most surfaces have as many as without images.
 const BESIDE_FOOT: f64 = 0.03;
 
 /// Radius of a subfacet, relative to that of the smallest of its facet before any was split, below
@@ -96,7 +96,7 @@ impl State<3> {
             if !vertex.is_valid() || !self.may_have_image(vertex, target) {
                 continue;
             }
-            let Some(image) = self.image(vertex, target) else { continue };
+            let Some(image) = self.image_of(vertex, target) else { continue };
             if best.as_ref().is_none_or(|best| image.is_better_than(best)) {
                 best = Some(image);
             }
@@ -118,10 +118,10 @@ impl State<3> {
     }
 
     /// Returns the image of a vertex in the sheet of `target`, if the vertex is near to it.
-    fn image(&self, vertex: VertexId, target: &Target) -> Option<Image> {
+    fn image_of(&self, vertex: VertexId, target: &Target) -> Option<Image> {
         let x = self.delaunay.point(vertex);
         let (place, beside) = match self.meeting_with(vertex, target.facet) {
-            Some(Meeting::Line(line)) => (self.copy(x, line, &target.plane), BESIDE_COPY),
+            Some(Meeting::Line(line)) => (self.turned(x, line, &target.plane), BESIDE_COPY),
             Some(Meeting::Vertex(_)) => (target.plane.foot(x), BESIDE_FOOT),
             None => (target.plane.foot(x), target.beside_foot),
         };
@@ -138,12 +138,24 @@ impl State<3> {
         let OnSheet::At { subfacet, .. } = self.walk_in_sheet(target.subfacet, &place) else {
             return None;
         };
-        let is_beside = gap <= beside * nearest(self.facets.get(subfacet).vertices);
+        let around = self.facets.get(subfacet).vertices;
+        let is_beside = gap <= beside * nearest(around)
+            && [target.vertices, around].iter().all(|own| self.is_off(x, *own, &target.plane));
         is_beside.then_some(Image { vertex, subfacet, place, depth })
     }
 
+    /// Returns true if `x` is off a subfacet, on the same side as it is off the plane. An image
+    /// would be on the wrong side of the vertex otherwise: where roundings, or triangles that were
+    /// merged, have subfacets off their plane by more than the vertex is.
+    fn is_off(&self, x: &[f64; 3], subfacet: [VertexId; 3], plane: &Plane) -> bool {
+        let [a, b, c] = self.points_of(subfacet);
+        let [u, v, w] = [a, b, c].map(|corner| plane.at(corner));
+        let side = orientation(&[a, b, c, x]);
+        !side.is_zero() && side == orientation(&[&u, &v, &w, x])
+    }
+
     /// Returns the copy of `x`, turned about a line into a plane that goes through that.
-    fn copy(&self, x: &[f64; 3], line: u32, plane: &Plane) -> [f64; 3] {
+    fn turned(&self, x: &[f64; 3], line: u32, plane: &Plane) -> [f64; 3] {
         let ends = self.segments.chains.lines[line as usize].ends;
         let foot = foot_on_line(x, ends.map(|end| self.delaunay.point(end)));
         let flat = plane.foot(x);

@@ -88,6 +88,9 @@ pub struct Arrangement {
     /// Triangles that the facets consist of, sorted by facet. Triangles of one facet that share an
     /// edge are neighbours there, unless the edge is a subsegment.
     pub triangles: Vec<FacetTriangle>,
+    /// Triangles that the caller's facets have on those of earlier ones, each with the number of
+    /// the facet's parent; sorted by that.
+    pub borrowed: Vec<([u32; 3], u32)>,
     /// Properties that the caller gave the regions between segments or facets.
     pub regions: Vec<Region>,
     /// Number of segments without a piece of their own: duplicates, and those that others cover.

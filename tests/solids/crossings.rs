@@ -8,18 +8,18 @@ use netmesh::options::{Crossings, Extent, Interior, Options};
 use netmesh::validate::{Outline, ViolationKind as Kind, validate_outlined};
 use netmesh::{Mesh, Triangulation};
 
-fn split(extent: Extent, bound: f64) -> Options {
+pub fn split(extent: Extent, bound: f64) -> Options {
     Options { extent, crossings: Crossings::Split, max_vertices: 100_000, ..bounded(bound) }
 }
 
-fn surface(points: &[Point], triangles: &[[u32; 3]]) -> Mesh {
+pub fn surface(points: &[Point], triangles: &[[u32; 3]]) -> Mesh {
     let mut mesh = Mesh::new(3, points.len(), points.as_flattened(), 0).unwrap();
     mesh.set_triangles(triangles.as_flattened(), None).unwrap();
     mesh
 }
 
 /// Returns the mesh of a run, whose certificate holds.
-fn run(points: &[Point], triangles: &[[u32; 3]], options: &Options) -> Triangulation {
+pub fn run(points: &[Point], triangles: &[[u32; 3]], options: &Options) -> Triangulation {
     let mut mesh = surface(points, triangles);
     mesh.run(options, None).unwrap_or_else(|error| panic!("{}", error.message()));
     assert_holds(&mesh);
@@ -27,7 +27,7 @@ fn run(points: &[Point], triangles: &[[u32; 3]], options: &Options) -> Triangula
 }
 
 /// Returns a box between two corners, oriented outwards.
-fn cuboid([a, b]: [Point; 2], first: u32) -> (Vec<Point>, Vec<[u32; 3]>) {
+pub fn cuboid([a, b]: [Point; 2], first: u32) -> (Vec<Point>, Vec<[u32; 3]>) {
     let corner = |at: u32| [0, 1, 2].map(|k| if at >> k & 1 == 0 { a[k] } else { b[k] });
     let quads =
         [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
@@ -138,7 +138,7 @@ fn touching_boxes() -> (Vec<Point>, Vec<[u32; 3]>) {
 }
 
 /// Turns points about the origin.
-fn turned(points: &[Point]) -> Vec<Point> {
+pub fn turned(points: &[Point]) -> Vec<Point> {
     let ([c, s], [d, t]) = ([0.8, 0.6], [5.0 / 13.0, 12.0 / 13.0]);
     let turn = |&[x, y, z]: &Point| {
         let (x, y) = (c * x - s * y, s * x + c * y);

@@ -7,6 +7,7 @@ mod curvature;
 mod dihedral;
 mod extents;
 mod files;
+mod folds;
 mod holes;
 mod labels;
 mod options;

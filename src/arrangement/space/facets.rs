@@ -4,9 +4,9 @@
 
 use super::TaskInSpace;
 use super::fit::Fitted;
-use super::merge::{Surface, merged, pairs_alone};
+use super::merge::{Pairs, Surface, merged};
 use super::pieces::{Piece, Pieces};
-use super::sides::Sides;
+use super::sides::{Side, Sides};
 use crate::arrangement::poll::Poll;
 use crate::error::Result;
 use crate::memory::{AllocResult, Lists, TryGrow, collected, with_capacity};
@@ -31,7 +31,7 @@ pub(super) fn add_surface(
     let kinds = numbered(of.iter().map(kind))?;
     let pairs = match task.crossings {
         Crossings::Refuse => None,
-        Crossings::Split => Some(pairs_alone(task, &of)?),
+        Crossings::Split => Some(Pairs::new(task, &of, pieces)?),
     };
     let surface = Surface { triangles: &triangles, kinds: &kinds, origins: &of, pairs };
     let firsts = merged(points, &surface, task.coplanar, poll)?;
@@ -43,22 +43,36 @@ pub(super) fn add_surface(
     }
     let parent = |at: usize| parents[firsts[at] as usize];
     let found = collected(own.enumerate().map(|(at, piece)| (parent(at), *piece)))?;
-    add_facets(&found, arrangement)?;
-    pieces.lines = ends_of_groups(&triangles, &firsts)?;
+    let rest = firsts.len() - pieces.borrowed.len();
+    let borrowed = (rest..).zip(&pieces.borrowed).map(|(at, piece)| (parent(at), *piece));
+    add_facets(&found, &collected(borrowed)?, arrangement)?;
+    pieces.lines = ends_of_groups(&surface, &firsts)?;
     Ok(())
 }
 
-/// Returns the edges that some group of triangles has not just two of.
-fn ends_of_groups(triangles: &[[u32; 3]], groups: &[u32]) -> AllocResult<Vec<[u32; 2]>> {
+/// Returns the edges at which groups of triangles end: where one of the caller's triangles ends,
+/// and no neighbour goes on.
+fn ends_of_groups(surface: &Surface<'_>, groups: &[u32]) -> AllocResult<Vec<[u32; 2]>> {
     let mut ends = Vec::new();
-    let mut own = Vec::new();
-    for sides in Sides::of_triangles(triangles)?.groups() {
+    // Groups, the caller's triangles, and the sides' own.
+    let mut own: Vec<[u32; 3]> = Vec::new();
+    for sides in Sides::of_triangles(surface.triangles)?.groups() {
         own.clear();
-        for side in sides {
-            own.try_push(groups[side.triangle as usize])?;
+        for &Side { triangle, .. } in sides {
+            let at = triangle as usize;
+            own.try_push([groups[at], surface.origins[at], triangle])?;
         }
         own.sort_unstable();
-        if own.chunk_by(|a, b| a == b).any(|same| same.len() != 2) {
+        let has_end = |same: &[[u32; 3]]| {
+            // Two parts of a triangle are on both sides of an edge in it.
+            let parts = same.chunk_by(|a, b| a[1] == b[1]).filter(|parts| parts.len() != 2);
+            let ending = || parts.clone().map(|parts| parts[0][2]);
+            let goes_on = |own: u32| {
+                ending().any(|other| other != own && surface.are_neighbors([own, other]))
+            };
+            !ending().all(goes_on)
+        };
+        if own.chunk_by(|a, b| a[0] == b[0]).any(has_end) {
             ends.try_push(sides[0].ends)?;
         }
     }
@@ -75,15 +89,27 @@ fn numbered<T: Copy + Ord>(values: impl Iterator<Item = T> + Clone) -> AllocResu
 
 /// Fills an arrangement with polygon facets. Those without an area, if crossings are split, have no
 /// triangles, nor have those that lie on others.
-pub(super) fn add_polygons(pieces: &[Piece], arrangement: &mut Arrangement) -> AllocResult<()> {
-    let own = pieces.iter().filter(|piece| piece.triangle().is_some());
-    let found = own.filter_map(|piece| Some((piece.facet()?, *piece)));
-    add_facets(&collected(found)?, arrangement)
+pub(super) fn add_polygons(pieces: &Pieces, arrangement: &mut Arrangement) -> AllocResult<()> {
+    let [found, borrowed] = [&pieces.all, &pieces.borrowed].map(|all| {
+        let own = all.iter().filter(|piece| piece.triangle().is_some());
+        collected(own.filter_map(|piece| Some((piece.facet()?, *piece))))
+    });
+    add_facets(&found?, &borrowed?, arrangement)
 }
 
 /// Adds triangles, each with the number of the caller's facet, by facets: those of one number and
-/// one balance.
-fn add_facets(found: &[(u32, Piece)], arrangement: &mut Arrangement) -> AllocResult<()> {
+/// one balance. Borrowed ones are of none.
+fn add_facets(
+    found: &[(u32, Piece)],
+    borrowed: &[(u32, Piece)],
+    arrangement: &mut Arrangement,
+) -> AllocResult<()> {
+    for (parent, piece) in borrowed {
+        if let Some(vertices) = piece.triangle() {
+            arrangement.borrowed.try_push((vertices, *parent))?;
+        }
+    }
+    arrangement.borrowed.sort_unstable_by_key(|&(vertices, parent)| (parent, vertices));
     let kinds = numbered(found.iter().map(|(parent, piece)| (*parent, piece.balance)))?;
     let of_facets = Lists::of_pairs(found.len(), || kinds.iter().copied().zip(0u32..))?;
     arrangement.triangles = with_capacity(found.len())?;

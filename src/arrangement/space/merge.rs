@@ -2,12 +2,13 @@
 
 use super::TaskInSpace;
 use super::bends::{Hinge, ROUNDING, normal, normalized, sine_of};
+use super::pieces::Pieces;
 use super::projection::Projection;
 use super::sides::Sides;
 use crate::arrangement::poll::Poll;
 use crate::error::Result;
 use crate::memory::{
-    AllocResult, Lists, TryGrow, collected, copied, enqueue, filled, with_capacity,
+    AllocResult, Lists, Sets, TryGrow, collected, copied, enqueue, filled, with_capacity,
 };
 use crate::mesh::NONE;
 use crate::numerics::norm;
@@ -24,27 +25,80 @@ pub(super) struct Surface<'a> {
     pub kinds: &'a [u32],
     /// Triangle -> the caller's one that it is a part of.
     pub origins: &'a [u32],
-    /// Pairs of the caller's triangles that may be one facet, sorted; `None` if all may.
-    pub pairs: Option<Vec<[u32; 2]>>,
+    /// Pairs of the caller's triangles, if crossings are split; `None` if all meet in edges that
+    /// they share alone.
+    pub pairs: Option<Pairs<'a>>,
+}
+
+/// Pairs of the caller's triangles.
+pub(super) struct Pairs<'a> {
+    /// Pairs that are known to be neighbours, the lower number first; sorted.
+    neighbors: Vec<[u32; 2]>,
+    /// Triangles from here on are borrowed from those in `lenders`.
+    first_borrowed: u32,
+    lenders: &'a [u32],
+    /// Triangle of the caller's -> true if it has several parts. Where others cross it counts where
+    /// it is: in a bent facet it would be elsewhere.
+    is_divided: Vec<bool>,
 }
 
 impl Surface<'_> {
-    /// Returns true if two triangles may be one facet, apart from their planes.
-    fn may_join(&self, [one, other]: [u32; 2]) -> bool {
-        let [a, b] = [one, other].map(|triangle| self.origins[triangle as usize]);
-        let is_listed = |pairs: &Vec<[u32; 2]>| pairs.binary_search(&[a.min(b), a.max(b)]).is_ok();
-        self.kinds[one as usize] == self.kinds[other as usize]
-            && self.pairs.as_ref().is_none_or(is_listed)
+    /// Returns true if two triangles that share an edge may be one facet, apart from their planes.
+    fn may_join(&self, pair: [u32; 2]) -> bool {
+        let [a, b] = pair.map(|triangle| self.kinds[triangle as usize]);
+        a == b && self.are_neighbors(pair)
+    }
+
+    /// Returns true if two triangles that share an edge are parts of one of the caller's, or of two
+    /// that are known to be neighbours.
+    pub fn are_neighbors(&self, pair: [u32; 2]) -> bool {
+        let [a, b] = pair.map(|triangle| self.origins[triangle as usize]);
+        let pair = [a.min(b), a.max(b)];
+        let is_listed = |pairs: &Pairs<'_>| pairs.neighbors.binary_search(&pair).is_ok();
+        a == b || self.pairs.as_ref().is_none_or(is_listed)
+    }
+
+    /// Returns true if a part of a triangle of the caller's that has others is in a pair.
+    fn has_divided(&self, pair: [u32; 2]) -> bool {
+        let is_divided = |pairs: &Pairs<'_>| {
+            pair.iter().any(|&own| pairs.is_divided[self.origins[own as usize] as usize])
+        };
+        self.pairs.as_ref().is_some_and(is_divided)
+    }
+
+    /// Returns the triangle that has the area of one: itself, unless it is borrowed.
+    fn lender(&self, triangle: u32) -> u32 {
+        let of = |pairs: &Pairs<'_>| {
+            let borrowed = triangle.checked_sub(pairs.first_borrowed)?;
+            Some(pairs.lenders[borrowed as usize])
+        };
+        self.pairs.as_ref().and_then(of).unwrap_or(triangle)
     }
 }
 
-/// Returns the pairs of the caller's triangles, those among `origins`, that share an edge which no
-/// third one has, sorted: where surfaces overlap, only these are known to be neighbours. O(n log
-/// n).
-pub(super) fn pairs_alone(task: &TaskInSpace<'_>, origins: &[u32]) -> AllocResult<Vec<[u32; 2]>> {
-    let mut kept = copied(origins)?;
-    kept.sort_unstable();
-    kept.dedup();
+impl<'a> Pairs<'a> {
+    /// Finds the pairs of the caller's triangles, of which those in `origins` have parts. O(n log
+    /// n).
+    pub fn new(task: &TaskInSpace<'_>, origins: &[u32], pieces: &'a Pieces) -> AllocResult<Self> {
+        let mut kept = copied(origins)?;
+        kept.sort_unstable();
+        let mut is_divided = filled(task.facets.count(), false)?;
+        for two in kept.windows(2).filter(|two| two[0] == two[1]) {
+            is_divided[two[0] as usize] = true;
+        }
+        kept.dedup();
+        Ok(Self {
+            neighbors: neighbors_among(task, &kept)?,
+            first_borrowed: (origins.len() - pieces.borrowed.len()) as u32,
+            lenders: &pieces.lenders,
+            is_divided,
+        })
+    }
+}
+
+/// Returns the pairs of some of the caller's triangles that share an edge which no third one has,
+/// sorted: where surfaces overlap, only these are known to be neighbours. O(n log n).
+fn neighbors_among(task: &TaskInSpace<'_>, kept: &[u32]) -> AllocResult<Vec<[u32; 2]>> {
     let vertices = |&triangle: &u32| {
         let own = &task.facets.inputs[3 * triangle as usize..][..3];
         [own[0], own[1], own[2]].map(|input| task.inputs.vertices()[input as usize])
@@ -65,7 +119,9 @@ pub(super) fn pairs_alone(task: &TaskInSpace<'_>, origins: &[u32]) -> AllocResul
 /// leads from one to the other over edges at which they bend by at most `coplanar` degrees (0: by
 /// no more than rounding explains), and if none is turned by more from the one that the facet grew
 /// from. Parts of one triangle, which go through inputs beside it, are of one facet whatever their
-/// angle. Facets grow from their first triangles, or with an angle from their largest. O(n log n).
+/// angle. Facets grow from their first triangles, or with an angle from their largest. Over an edge
+/// at which one is borrowed, two are of one facet if those are that have their areas: the mesh
+/// shows no more of them than that. O(n log n), where few facets are borrowed from.
 pub(super) fn merged(
     points: &[[f64; 3]],
     surface: &Surface<'_>,
@@ -74,7 +130,7 @@ pub(super) fn merged(
 ) -> Result<Vec<u32>> {
     let Surface { triangles, origins, .. } = *surface;
     let sine = sine_of(coplanar);
-    let neighbors = flat_neighbors(points, surface, sine, poll)?;
+    let (neighbors, borrowed) = flat_neighbors(points, surface, sine, poll)?;
     let corners = |triangle: u32| triangles[triangle as usize].map(|v| &points[v as usize]);
     let size = |triangle: u32| {
         let (normal, exponent) = normalized(normal(corners(triangle)));
@@ -107,7 +163,40 @@ pub(super) fn merged(
         let first = members.iter().copied().min().unwrap_or(seed);
         members.iter().for_each(|&member| facets[member as usize] = first);
     }
+    join_borrowed(surface, &borrowed, &mut facets)?;
     Ok(facets)
+}
+
+/// Joins the facets of pairs of triangles of which the lenders are of one facet.
+fn join_borrowed(surface: &Surface<'_>, pairs: &[[u32; 2]], facets: &mut [u32]) -> AllocResult<()> {
+    if pairs.is_empty() {
+        return Ok(());
+    }
+    let mut sets = Sets::new(facets.len())?;
+    for (triangle, &first) in facets.iter().enumerate().filter(|(_, first)| **first != NONE) {
+        sets.join(triangle, first as usize);
+    }
+    let mut is_done = false;
+    while !is_done {
+        is_done = true;
+        for &pair in pairs {
+            let [a, b] = pair.map(|own| own as usize);
+            let [from, other] = pair.map(|own| surface.lender(own) as usize);
+            if sets.find(a) != sets.find(b) && sets.find(from) == sets.find(other) {
+                sets.join(a, b);
+                is_done = false;
+            }
+        }
+    }
+    // The first of each set, which its own root may not be.
+    let mut firsts = filled(facets.len(), NONE)?;
+    for triangle in (0..facets.len()).rev() {
+        firsts[sets.find(triangle)] = triangle as u32;
+    }
+    for (triangle, own) in facets.iter_mut().enumerate().filter(|(_, own)| **own != NONE) {
+        *own = firsts[sets.find(triangle)];
+    }
+    Ok(())
 }
 
 /// Plane from which the triangles of a facet are not turned much.
@@ -151,17 +240,17 @@ fn unit_normal(corners: [&[f64; 3]; 3]) -> [f64; 3] {
 }
 
 /// Returns for each triangle those beyond an edge at which the two are flat and of one kind, or are
-/// parts of one.
+/// parts of one; and such pairs of which one is borrowed, and which are no parts of one.
 fn flat_neighbors(
     points: &[[f64; 3]],
     surface: &Surface<'_>,
     sine: f64,
     poll: Poll<'_>,
-) -> Result<Lists> {
+) -> Result<(Lists, Vec<[u32; 2]>)> {
     let Surface { triangles, origins, .. } = *surface;
     let sides = Sides::of_triangles(triangles)?;
     let point = |vertex: u32| &points[vertex as usize];
-    let mut pairs = with_capacity(triangles.len())?;
+    let (mut pairs, mut borrowed) = (with_capacity(triangles.len())?, Vec::new());
     for group in sides.groups() {
         poll(WORK)?;
         for (at, one) in group.iter().enumerate() {
@@ -171,13 +260,16 @@ fn flat_neighbors(
                 let [t, u] = [one, other].map(|side| side.triangle);
                 let hinge = Hinge { edge: edge.map(point), apexes: [c, d].map(point) };
                 let are_parts = origins[t as usize] == origins[u as usize];
-                let are_flat = are_parts || surface.may_join([t, u]) && hinge.is_flat(sine);
-                if edge == [from, to] && are_flat {
-                    pairs.try_push([t, u])?;
+                let most = if surface.has_divided([t, u]) { ROUNDING } else { sine };
+                let are_flat = are_parts || surface.may_join([t, u]) && hinge.is_flat(most);
+                if edge != [from, to] || !are_flat {
+                    continue;
                 }
+                let are_own = [t, u].iter().all(|&own| surface.lender(own) == own);
+                if are_own || are_parts { &mut pairs } else { &mut borrowed }.try_push([t, u])?;
             }
         }
     }
     let both = || pairs.iter().flat_map(|&[t, u]| [(t, u), (u, t)]);
-    Ok(Lists::of_pairs(triangles.len(), both)?)
+    Ok((Lists::of_pairs(triangles.len(), both)?, borrowed))
 }

@@ -107,24 +107,28 @@ pub fn arrange_in_space(task: &TaskInSpace<'_>, poll: Poll<'_>) -> Result<Arrang
     }
     let found = intersections::all(&points, &pieces, poll)?;
     let mut arrangement = Arrangement { regions: copied(task.regions)?, ..Arrangement::default() };
-    if let Some(first) = found.first() {
-        let split = match task.crossings {
-            Crossings::Split if pieces.untiled.is_empty() => {
-                split::split(&mut points, task, &pieces, poll)?
-            }
-            _ => None,
-        };
-        pieces = split.ok_or_else(|| refused(facets, first, found.len(), task.crossings))?;
+    let is_split = task.crossings == Crossings::Split
+        && pieces.untiled.is_empty()
+        && (!found.is_empty() || split::is_split_by_rounding(&points, task, &pieces, poll)?);
+    let split = if is_split { split::split(&mut points, task, &pieces, poll)? } else { None };
+    if let Some(split) = split {
+        pieces = split;
         if task.extent == Extent::Hull {
             return Err(no_hull_of_crossings());
         }
-    } else if let Some((through, isolated)) = through_isolated(&points, task, &pieces, poll)? {
-        pieces = through;
-        isolated.offsets().for_each(|offset| arrangement.note_offset(offset));
+    } else if let Some(first) = found.first() {
+        return Err(refused(facets, first, found.len(), task.crossings));
+    } else {
+        // A split that came to no end has added vertices.
+        points.truncate(inputs.distinct());
+        if let Some((through, isolated)) = through_isolated(&points, task, &pieces, poll)? {
+            pieces = through;
+            isolated.offsets().for_each(|offset| arrangement.note_offset(offset));
+        }
     }
     match facets.are_triangles {
         true => add_surface(&points, task, &mut pieces, &mut arrangement, poll)?,
-        false => add_polygons(&pieces.all, &mut arrangement)?,
+        false => add_polygons(&pieces, &mut arrangement)?,
     }
     if let Some(fitted) = fit::fitted(&mut points, task.extent, &pieces, poll)? {
         add_frame(&fitted, &mut arrangement)?;

@@ -35,6 +35,8 @@ pub(super) struct Pieces {
     /// Triangles on those of earlier facets, which have their balances. They are not among the
     /// others.
     pub borrowed: Vec<Piece>,
+    /// Borrowed triangle -> the piece in `all` that has its area.
+    pub lenders: Vec<u32>,
     /// Triangle of a surface -> by how much the winding number grows behind it; `None` for those of
     /// which an earlier one has the vertices.
     pub balances: Vec<Option<i64>>,
@@ -170,7 +172,14 @@ impl Maker<'_> {
                 self.pieces.note_zero_area(feature, corners[0])?;
             } else if self.isolated.splits(vertices) || self.isolated.count_within(facet) > 0 {
                 let polygon = Polygon::new([own].into_iter(), vertex, self.isolated, facet)?;
+                let (first, untiled) = (self.pieces.all.len(), self.pieces.untiled.len());
                 self.add_polygon(facet, polygon, &[], poll)?;
+                let has_area =
+                    self.pieces.all[first..].iter().any(|piece| piece.triangle().is_some());
+                // Led through its third corner it has no area any more: others have its edges.
+                if !has_area && self.pieces.untiled.len() == untiled {
+                    self.pieces.all.truncate(first);
+                }
             } else {
                 self.pieces.all.try_push(Piece::of_triangle(vertices, INTERIOR, feature))?;
             }

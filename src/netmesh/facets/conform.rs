@@ -4,7 +4,7 @@ use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{AllocResult, collected, with_capacity};
-use crate::mesh::{Arrangement, Subsegment};
+use crate::mesh::{ArrangedFacet, Arrangement, NONE, Subsegment};
 use crate::netmesh::state::Mesher;
 use crate::netmesh::state::facets::plane::Plane;
 use crate::netmesh::state::facets::{Facet, Facets};
@@ -48,17 +48,31 @@ impl Mesher<'_, '_, 3> {
         }))?;
         let mut facets = with_capacity(arrangement.facets.len())?;
         let mut rest = &triangles[..];
-        for (number, facet) in (0..).zip(&arrangement.facets) {
-            let own = rest.iter().take_while(|triangle| triangle.1 == number).count();
-            let points = rest[..own]
-                .iter()
-                .map(|triangle| triangle.0.map(|vertex| *self.state.delaunay.point(vertex)));
+        // Parts of one of the caller's facets are in its plane: in their own they would be off it.
+        let is_one =
+            |a: &ArrangedFacet, b: &ArrangedFacet| a.parent == b.parent && a.parent != NONE;
+        for parts in arrangement.facets.chunk_by(is_one) {
+            let end = (facets.len() + parts.len()) as u32;
+            let own = rest.iter().take_while(|triangle| triangle.1 < end).count();
+            let borrowed = borrowed_by(arrangement, parts[0].parent);
+            let borrowed = borrowed.map(|own| own.map(|input| vertices[input as usize]));
+            let all = rest[..own].iter().map(|triangle| triangle.0).chain(borrowed);
+            let points = all.map(|own| own.map(|vertex| *self.state.delaunay.point(vertex)));
             let plane = Plane::of(&collected(points)?);
-            facets.push(Facet { parent: facet.parent, plane, first_radius: f64::INFINITY });
+            for facet in parts {
+                facets.push(Facet { parent: facet.parent, plane, first_radius: f64::INFINITY });
+            }
             rest = &rest[own..];
         }
         let balances = collected(arrangement.facets.iter().map(|facet| facet.balance))?;
         let count = self.state.delaunay.point_count();
         Facets::new(facets, &balances, &triangles, &self.state.segments.chains, count)
     }
+}
+
+/// Returns the triangles that one of the caller's facets has on those of earlier ones.
+fn borrowed_by(arrangement: &Arrangement, parent: u32) -> impl Iterator<Item = [u32; 3]> {
+    let begin = arrangement.borrowed.partition_point(|own| own.1 < parent);
+    let own = arrangement.borrowed[begin..].iter().take_while(move |own| own.1 == parent);
+    own.map(|own| own.0)
 }

@@ -8,6 +8,7 @@ use super::super::projection::Projection;
 use super::corners::{Corner, Corners, edge_of, nearer_to_both};
 use super::owners::Owners;
 use crate::memory::{AllocResult, TryGrow, collected, filled};
+use crate::mesh::NONE;
 
 /// Areas that pairs of triangles share, and what their facets have to take over from each other.
 #[derive(Default)]
@@ -120,9 +121,21 @@ pub(super) fn leave_to_first(
     for (piece, _, step) in steps {
         pieces.all[piece as usize].balance += step;
     }
-    let mut kept = Vec::new();
-    for (piece, is_borrowed) in pieces.all.iter().zip(is_borrowed) {
-        if is_borrowed { &mut pieces.borrowed } else { &mut kept }.try_push(*piece)?;
+    let mut lenders = filled(pieces.all.len(), NONE)?;
+    for &[one, other] in pairs.iter().filter(|pair| !is_borrowed[pair[0] as usize]) {
+        let first = &mut lenders[other as usize];
+        *first = one.min(*first);
+    }
+    let (mut kept, mut numbers) = (Vec::new(), filled(pieces.all.len(), NONE)?);
+    for (at, piece) in pieces.all.iter().enumerate() {
+        if is_borrowed[at] {
+            pieces.borrowed.try_push(*piece)?;
+            // Lenders come before what is borrowed from them.
+            pieces.lenders.try_push(numbers[lenders[at] as usize])?;
+        } else {
+            numbers[at] = kept.len() as u32;
+            kept.try_push(*piece)?;
+        }
     }
     pieces.all = kept;
     Ok(())

@@ -78,6 +78,10 @@ impl Coplanar {
         Ok(found)
     }
 
+    pub fn is_empty(&self) -> bool {
+        self.pairs.is_empty()
+    }
+
     /// Returns the images of points that [`Self::seen_in`] needs.
     pub fn images(&self, points: &[[f64; 3]]) -> AllocResult<Images> {
         Images::of(points, [0, 1, 2].map(|axis| self.pairs.iter().any(|pair| pair.1 == axis)))

@@ -14,6 +14,8 @@
 //! - [`corners`] finds the corners of a round, [`candidates`] the vertices that they become, and
 //!   [`places`] where these are; [`areas`] has what facets share that
 //!   [`coplanar`] finds in one plane.
+//! - [`needles`] finds triangles that are no wider than roundings: their edges go through their
+//!   corners.
 //! - [`sound`] tells whether roundings left facets and edges what they were.
 //! - [`owners`] tells of which edges the edges of pieces are parts.
 
@@ -21,6 +23,7 @@ mod areas;
 mod candidates;
 mod coplanar;
 mod corners;
+mod needles;
 mod owners;
 mod places;
 mod sound;
@@ -32,10 +35,12 @@ use super::isolated::Isolated;
 use super::pieces::Pieces;
 use crate::arrangement::poll::Poll;
 use crate::error::Result;
+use crate::memory::TryGrow;
 use crate::mesh::{Intersection, IntersectionKind};
 use areas::leave_to_first;
 use coplanar::Coplanar;
 use corners::Corners;
+use needles::needles;
 use owners::Owners;
 use sound::is_sound;
 
@@ -45,11 +50,23 @@ const MOST_ROUNDS: usize = 24;
 /// Largest number of corners of a later round, over that of the first. Roundings make few.
 const MOST_AGAIN: usize = 4;
 
+/// Returns true if facets are to be split that meet nowhere, exactly: some are needles or share an
+/// area, up to roundings. O((n + k) log n), as a round of [`split`].
+pub(super) fn is_split_by_rounding(
+    points: &[[f64; 3]],
+    task: &TaskInSpace<'_>,
+    pieces: &Pieces,
+    poll: Poll<'_>,
+) -> Result<bool> {
+    Ok(!needles(points, task, &Isolated::default())?.is_empty()
+        || !Coplanar::find(points, pieces, poll)?.is_empty())
+}
+
 /// Returns pieces of facets and segments that meet only in vertices and edges of both, and appends
 /// the vertices at crossings to `points`; `None` if some still meet after [`MOST_ROUNDS`], or meet
-/// where no vertex makes a difference. Triangles without an area are left out: others have their
-/// vertices. Expected O((n + k) log n) for each round, for n pieces and k pairs whose bounding
-/// boxes meet.
+/// where no vertex makes a difference. Triangles without an area are left out, also those that have
+/// none but for roundings: others have their vertices. Expected O((n + k) log n) for each round,
+/// for n pieces and k pairs whose bounding boxes meet.
 pub(super) fn split(
     points: &mut Vec<[f64; 3]>,
     task: &TaskInSpace<'_>,
@@ -63,7 +80,8 @@ pub(super) fn split(
         let mut pieces = Pieces::new(points, task, &on, poll)?;
         let owners = Owners::new(points, task, &on)?;
         let mut corners = Corners::find(points, &pieces, &owners, &coplanar, poll)?;
-        let is_whole = pieces.faults.iter().all(has_no_area);
+        let needles = needles(points, task, &on)?;
+        let is_whole = pieces.faults.iter().all(has_no_area) && needles.is_empty();
         if corners.all.is_empty() && corners.areas.are_tiled() && is_whole {
             if !is_sound(points, task, &pieces, &owners, &on)? {
                 return Ok(None);
@@ -77,7 +95,8 @@ pub(super) fn split(
         if !corners.all.is_empty() {
             most = most.min(MOST_AGAIN * corners.all.len());
         }
-        let added = corners.placed(points, task.inputs.distinct(), &pieces, &owners)?;
+        let mut added = corners.placed(points, task.inputs.distinct(), &pieces, &owners)?;
+        added.on_edges.try_extend(&needles)?;
         if !on.extend(points, &added)? {
             return Ok(None);
         }

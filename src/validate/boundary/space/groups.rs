@@ -34,7 +34,10 @@ pub(super) fn each_facet(
         findings.check(false, || describe("triangles have inputs that are no vertices"));
         return Ok(());
     };
-    let balances = balances_of(ways.inputs, &triangles, ways.splits_crossings())?;
+    let mut balances = balances_of(ways.inputs, &triangles, ways.splits_crossings())?;
+    if ways.splits_crossings() {
+        leave_out_needles(&triangles, &mut balances, ways, findings)?;
+    }
     let kept = (0u32..).zip(&balances).filter(|(_, balance)| balance.is_some());
     let kept = collected(kept.map(|(triangle, _)| triangle))?;
     let mut sets = Sets::new(triangles.len())?;
@@ -128,6 +131,31 @@ fn balances_of(
     Ok(balances)
 }
 
+/// Takes their balances from triangles that are no wider than roundings: the chain along an edge
+/// goes through the opposite vertex. Chains must lead along all three edges.
+fn leave_out_needles(
+    triangles: &[[u32; 3]],
+    balances: &mut [Option<i64>],
+    ways: &mut Ways<'_>,
+    findings: &mut Findings,
+) -> AllocResult<()> {
+    let kept = (0u32..).zip(triangles).zip(balances).filter(|(_, balance)| balance.is_some());
+    for ((number, &[a, b, c]), balance) in kept {
+        let edges = [[a, b], [b, c], [c, a]];
+        let mut is_needle = false;
+        for (edge, opposite) in edges.into_iter().zip([c, a, b]) {
+            is_needle |= ways.find(edge)? && ways.vertices_on_way().contains(&opposite);
+        }
+        if is_needle {
+            for edge in edges {
+                ways.check_edge(number, edge, findings)?;
+            }
+            *balance = None;
+        }
+    }
+    Ok(())
+}
+
 /// Returns a triangle from one of its vertices on.
 fn from_vertex([a, b, c]: [u32; 3], first: u32) -> [u32; 3] {
     match first {
@@ -151,14 +179,22 @@ fn sides(triangles: &[[u32; 3]], numbers: &[u32]) -> AllocResult<Vec<Side>> {
 /// Returns true if two triangles that run through an edge in opposite directions are one facet in
 /// the mesh, which has subsegments there: the chain that was found last.
 fn is_one_facet(triangles: &[[u32; 3]], pair: [Side; 2], ways: &Ways<'_>) -> bool {
-    let [one, other] = pair.map(|side| parent_beside(triangles, side, ways));
-    pair[0].2 != pair[1].2 && one == other && one != NONE
+    let is_within = |ends: &[u32]| {
+        let [one, other] =
+            pair.map(|side| parent_beside(triangles, side, [ends[0], ends[1]], ways));
+        one == other && one != NONE
+    };
+    pair[0].2 != pair[1].2 && ways.vertices_on_way().windows(2).any(is_within)
 }
 
-/// Returns the parent of the subfacet that is beside the first subsegment of a triangle's edge as
-/// the triangle is: with its direction, and the least turned from it; or [`NONE`].
-fn parent_beside(triangles: &[[u32; 3]], (ends, triangle, is_along): Side, ways: &Ways<'_>) -> u32 {
-    let [a, b] = [ways.vertices_on_way()[0], ways.vertices_on_way()[1]];
+/// Returns the parent of the subfacet that is beside a subsegment on a triangle's edge as the
+/// triangle is: with its direction, and the least turned from it; or [`NONE`].
+fn parent_beside(
+    triangles: &[[u32; 3]],
+    (ends, triangle, is_along): Side,
+    [a, b]: [u32; 2],
+    ways: &Ways<'_>,
+) -> u32 {
     let edge = if is_along { [a, b] } else { [b, a] };
     let boundary = &ways.view.mesh.boundary;
     let along = direction(ways.view.point(a), ways.view.point(b));
@@ -265,7 +301,7 @@ fn facet(
         let forward = same.iter().filter(|side| side.2).count();
         let backward = same.len() - forward;
         let [a, b] = same[0].0;
-        if forward != backward {
+        for _ in 0..forward.abs_diff(backward) {
             rim.try_push(if forward > backward { [a, b] } else { [b, a] })?;
         }
     }

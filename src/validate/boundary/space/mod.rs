@@ -110,7 +110,8 @@ fn steps(
     each_facet(facets, &mut ways, &mut known, |facet, balance, ways, known| {
         let (rim, _) = tiling::expected_rim(facet, ways, known)?;
         for tile in tiles::tiles(facet, &rim, ways)? {
-            steps[tile.subfacet as usize] += if tile.is_turned { -balance } else { balance };
+            let step = tile.times * balance;
+            steps[tile.subfacet as usize] += if tile.is_turned { -step } else { step };
         }
         Ok(())
     })?;

@@ -2,8 +2,8 @@
 //! turn to the left; each edge is in two of them, which run through it in opposite directions, or
 //! on the rim of the facet; and there the facet is on the left, as its loops say. So the number of
 //! subfacets over a point, which is the winding number of the rim about it, is 1 inside and 0
-//! outside. The sum of their areas is that of the polygon, but for roundings of vertices on its
-//! edges.
+//! outside; or more, where triangles of the facet are folded over each other. The sum of their
+//! areas is that of the polygon, but for roundings of vertices on its edges.
 
 use super::super::chains::BENT;
 use super::super::exact::unit_in_last_place;
@@ -25,6 +25,10 @@ use std::ops::Range;
 
 /// Edge by its ends, the lower first, and true if it runs from there.
 pub(super) type Directed = ([u32; 2], bool);
+
+/// Edge at which a facet ends, by its ends, the lower first, and how many times more the facet is
+/// on its left, seen from there, than on its right.
+pub(super) type Edge = ([u32; 2], i64);
 
 /// Returns the words for a facet, or for the boundary of an extent.
 pub(super) fn name_of(facet: u32) -> Cow<'static, str> {
@@ -57,12 +61,18 @@ pub(super) fn check(
     let subfacets = &collected(tiles.iter().map(|tile| tile.vertices))?[..];
     check_orientations(facet, ways.view, subfacets, findings)?;
     let edges = sorted_edges(subfacets)?;
-    let found = rim(facet.parent, &edges, findings)?;
+    rim(facet.parent, &edges, findings)?;
+    let sides = tiles.iter().flat_map(|tile| {
+        let [a, b, c] = tile.vertices;
+        [[a, b], [b, c], [c, a]].map(|edge| turned_upwards(edge, tile.times))
+    });
+    let found = summed(collected(sides)?)?;
     if is_whole {
         check_rim(facet.parent, &found, &expected, findings);
     }
     check_within(facet, ways, &edges, subfacets, findings)?;
-    check_area(facet, ways, subfacets, findings);
+    let all = tiles.iter().flat_map(|tile| (0..tile.times).map(|_| tile.vertices));
+    check_area(facet, ways, &collected(all)?, findings);
     let mut vertices = collected(subfacets.as_flattened().iter().copied())?;
     vertices.sort_unstable();
     vertices.dedup();
@@ -154,13 +164,25 @@ pub(super) fn rim(
     Ok(rim)
 }
 
-/// Returns the subsegments along the rim of a facet, in its direction, sorted; and true if none are
-/// missing.
+/// Returns an edge as one from its lower end, which a facet has on its left so many times.
+fn turned_upwards([a, b]: [u32; 2], times: i64) -> Edge {
+    if a < b { ([a, b], times) } else { ([b, a], -times) }
+}
+
+/// Returns each of some edges with the sum of its times, but for those that have none; sorted.
+fn summed(mut edges: Vec<Edge>) -> AllocResult<Vec<Edge>> {
+    edges.sort_unstable();
+    let sums = edges.chunk_by(|a, b| a.0 == b.0);
+    let sums = sums.map(|same| (same[0].0, same.iter().map(|edge| edge.1).sum()));
+    collected(sums.filter(|sum: &Edge| sum.1 != 0))
+}
+
+/// Returns the subsegments along the rim of a facet, sorted; and true if none are missing.
 pub(super) fn expected_rim(
     facet: &Facet,
     ways: &mut Ways<'_>,
     findings: &mut Findings,
-) -> AllocResult<(Vec<Directed>, bool)> {
+) -> AllocResult<(Vec<Edge>, bool)> {
     let (mut pieces, mut is_whole) = (Vec::new(), true);
     for &ends in &facet.rim {
         if !ways.check_edge(facet.parent, ends, findings)? {
@@ -168,22 +190,14 @@ pub(super) fn expected_rim(
             continue;
         }
         for pair in ways.vertices_on_way().windows(2) {
-            pieces.try_push(directed([pair[0], pair[1]]))?;
+            pieces.try_push(turned_upwards([pair[0], pair[1]], 1))?;
         }
     }
-    pieces.sort_unstable();
     // Two edges that rounding leads along one chain have nothing between them.
-    let mut rim = Vec::new();
-    for same in pieces.chunk_by(|a, b| a.0 == b.0) {
-        if same.len() % 2 == 1 {
-            let forward = same.iter().filter(|piece| piece.1).count();
-            rim.try_push((same[0].0, 2 * forward > same.len()))?;
-        }
-    }
-    Ok((rim, is_whole))
+    Ok((summed(pieces)?, is_whole))
 }
 
-fn check_rim(facet: u32, found: &[Directed], expected: &[Directed], findings: &mut Findings) {
+fn check_rim(facet: u32, found: &[Edge], expected: &[Edge], findings: &mut Findings) {
     let differs = found.iter().zip(expected).position(|(a, b)| a != b);
     let shorter = found.len().min(expected.len());
     findings.check(differs.is_none() && found.len() == expected.len(), || {

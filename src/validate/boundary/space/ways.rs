@@ -27,8 +27,8 @@ pub(super) struct Ways<'a> {
     owners: Vec<u32>,
     /// Vertex -> true if it is an end of a subsegment.
     is_on_chain: Vec<bool>,
-    /// Subfacet -> the facet that was last found to have it, or [`NONE`].
-    pub tile_of: Vec<u32>,
+    /// Subfacet -> the facet that was last found to have it, or [`NONE`], and how many times.
+    pub tile_of: Vec<(u32, i64)>,
 }
 
 impl<'a> Ways<'a> {
@@ -39,7 +39,7 @@ impl<'a> Ways<'a> {
         let mut is_on_chain = filled(view.mesh.vertex_count(), false)?;
         let ends = view.mesh.boundary.subsegments.iter().flatten();
         ends.for_each(|&vertex| is_on_chain[vertex as usize] = true);
-        let (tile_of, path) = (filled(view.mesh.boundary.subfacets.len(), NONE)?, Vec::new());
+        let (tile_of, path) = (filled(view.mesh.boundary.subfacets.len(), (NONE, 0))?, Vec::new());
         Ok(Self { view, faces, inputs, chains, path, is_covered, owners, is_on_chain, tile_of })
     }
 

@@ -1,0 +1,112 @@
+//! Surfaces that are folded over themselves in one plane, split where they meet: no facet has an
+//! area twice, and each mesh holds its certificate.
+
+use super::crossings::{cuboid, run, split, surface, turned};
+use super::{Point, assert_holds, volume};
+use crate::random::Random;
+use netmesh::error::ErrorKind;
+use netmesh::options::{Extent, Interior, Options};
+
+/// Returns a cube of edge 4 whose last side has further vertices at `places`: each divides the
+/// triangle of the side that `chosen` draws of so many, wherever it is.
+fn cube_with(
+    places: &[[f64; 2]],
+    mut chosen: impl FnMut(usize) -> usize,
+) -> (Vec<Point>, Vec<[u32; 3]>) {
+    let (mut points, mut triangles) = cuboid([[0.0; 3], [4.0; 3]], 0);
+    let others = triangles.len() - 2;
+    for &[y, z] in places {
+        let vertex = points.len() as u32;
+        points.push([4.0, y, z]);
+        let at = others + chosen(triangles.len() - others);
+        let [a, b, c] = triangles[at];
+        triangles[at] = [a, b, vertex];
+        triangles.extend([[b, c, vertex], [c, a, vertex]]);
+    }
+    (points, triangles)
+}
+
+/// Holds that edges at which facets end only at a triangle without an area are subsegments: two
+/// triangles of one side meet in an edge that the others there divide, and are one facet by a way
+/// round it.
+#[test]
+fn sides_may_meet_at_triangles_without_an_area() {
+    let (mut points, mut triangles) = cuboid([[0.0; 3], [4.0; 3]], 0);
+    // The side of the corners 1, 3, 7 and 5, with a line of three vertices in it.
+    points.extend([[4.0, 1.0, 2.0], [4.0, 2.0, 2.0], [4.0, 3.0, 2.0]]);
+    triangles.truncate(10);
+    triangles.extend([[1, 3, 8], [3, 10, 8], [3, 7, 10], [7, 9, 10], [7, 5, 9], [5, 8, 9]]);
+    triangles.extend([[5, 1, 8], [8, 10, 9]]);
+    for points in [turned(&points), points] {
+        for bound in [f64::INFINITY, 2.0] {
+            let made = run(&points, &triangles, &split(Extent::Boundary, bound));
+            assert!((volume(&made) - 64.0).abs() < 1e-12 * 64.0);
+            let of_side = made.boundary.subfacet_parents.iter().filter(|&&parent| parent >= 10);
+            assert!(of_side.clone().all(|&parent| parent == 10), "the side is one facet");
+            assert!(of_side.count() > 0);
+        }
+    }
+}
+
+/// Holds that sides which are folded in their plane bound what the others do.
+#[test]
+fn sides_that_are_folded_are_walls_once() {
+    let mut random = Random::new(11);
+    let (mut made, mut left) = (0, 0);
+    for trial in 0..40 {
+        let count = 1 + trial % 4;
+        let places: Vec<[f64; 2]> =
+            (0..count).map(|_| [0; 2].map(|_: i32| 4.0 * random.unit())).collect();
+        let (points, triangles) =
+            cube_with(&places, |count| (random.unit() * count as f64) as usize);
+        for (points, interior) in [(turned(&points), Interior::Auto), (points, Interior::Winding)] {
+            let options = Options { interior, ..split(Extent::Boundary, f64::INFINITY) };
+            let mut mesh = surface(&points, &triangles);
+            match mesh.run(&options, None) {
+                Ok(()) => {
+                    assert_holds(&mesh);
+                    let volume = volume(mesh.result().unwrap());
+                    assert!((volume - 64.0).abs() < 1e-12 * 64.0, "{trial}: {volume}");
+                    made += 1;
+                }
+                Err(error) => {
+                    assert_eq!(error.kind(), ErrorKind::Limit, "{trial}: {}", error.message());
+                    left += 1;
+                }
+            }
+        }
+    }
+    assert_eq!((made, left), (80, 0));
+}
+
+/// Holds that what is left of a facet that is bent a little, and shares most of its area with
+/// another, is in the plane of the whole.
+#[test]
+fn parts_of_a_bent_facet_are_in_its_plane() {
+    // Strips between lines, of which the last is bent up; a square is on the second.
+    let bend = 0.5 * 0.05f64.to_radians().tan();
+    let lines = [(0.0, 0.0), (1.0, 0.0), (5.0, 0.0), (5.5, 0.0), (6.0, bend)];
+    let ends = lines.iter().flat_map(|&(x, z)| [[x, 0.0, z], [x, 2.0, z]]);
+    let mut points: Vec<Point> = ends.chain([[3.0, 1.0, 4.0], [3.0, 1.0, -4.0]]).collect();
+    points.extend([[1.0, -1.0, 0.0], [5.0, -1.0, 0.0], [5.0, 3.0, 0.0], [1.0, 3.0, 0.0]]);
+    let strips = [0, 2, 4, 6].map(|a| [[a, a + 2, a + 3], [a, a + 3, a + 1]]);
+    let triangles = [&[[12, 13, 14], [12, 14, 15]][..], strips.as_flattened()].concat();
+    for coplanar in [0.0, 0.1] {
+        let options = Options { coplanar, max_edge: 0.4, ..split(Extent::All, 2.0) };
+        run(&points, &triangles, &options);
+    }
+}
+
+/// Holds that a triangle which turning leaves some roundings wide is what it was before: nothing.
+#[test]
+fn needles_no_wider_than_roundings_are_left_out() {
+    let (mut points, mut triangles) = cuboid([[0.0; 3], [4.0; 3]], 0);
+    points.extend([[4.0, 1.0, 2.0], [4.0, 2.0, 2.0], [4.0, 3.0, 2.0]]);
+    triangles.truncate(10);
+    triangles.extend([[1, 3, 8], [3, 10, 8], [3, 7, 10], [7, 9, 10], [7, 5, 9], [5, 8, 9]]);
+    triangles.extend([[5, 1, 8], [8, 10, 9]]);
+    let points = turned(&points);
+    let made = run(&points, &triangles, &split(Extent::Boundary, f64::INFINITY));
+    assert_eq!(made.vertex_count(), points.len());
+    assert!(!made.boundary.subfacet_parents.contains(&17), "the needle has no subfacet");
+}

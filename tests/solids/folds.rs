@@ -26,17 +26,23 @@ fn cube_with(
     (points, triangles)
 }
 
+/// Returns a cube of edge 4 with three vertices on a line in its last side, of which the middle one
+/// is joined to the others by the last triangle alone: that has no area.
+fn cube_with_needle() -> (Vec<Point>, Vec<[u32; 3]>) {
+    let (mut points, mut triangles) = cuboid([[0.0; 3], [4.0; 3]], 0);
+    points.extend([[4.0, 1.0, 2.0], [4.0, 2.0, 2.0], [4.0, 3.0, 2.0]]);
+    triangles.truncate(10);
+    triangles.extend([[1, 3, 8], [3, 10, 8], [3, 7, 10], [7, 9, 10], [7, 5, 9], [5, 8, 9]]);
+    triangles.extend([[5, 1, 8], [8, 10, 9]]);
+    (points, triangles)
+}
+
 /// Holds that edges at which facets end only at a triangle without an area are subsegments: two
 /// triangles of one side meet in an edge that the others there divide, and are one facet by a way
 /// round it.
 #[test]
 fn sides_may_meet_at_triangles_without_an_area() {
-    let (mut points, mut triangles) = cuboid([[0.0; 3], [4.0; 3]], 0);
-    // The side of the corners 1, 3, 7 and 5, with a line of three vertices in it.
-    points.extend([[4.0, 1.0, 2.0], [4.0, 2.0, 2.0], [4.0, 3.0, 2.0]]);
-    triangles.truncate(10);
-    triangles.extend([[1, 3, 8], [3, 10, 8], [3, 7, 10], [7, 9, 10], [7, 5, 9], [5, 8, 9]]);
-    triangles.extend([[5, 1, 8], [8, 10, 9]]);
+    let (points, triangles) = cube_with_needle();
     for points in [turned(&points), points] {
         for bound in [f64::INFINITY, 2.0] {
             let made = run(&points, &triangles, &split(Extent::Boundary, bound));
@@ -100,11 +106,7 @@ fn parts_of_a_bent_facet_are_in_its_plane() {
 /// Holds that a triangle which turning leaves some roundings wide is what it was before: nothing.
 #[test]
 fn needles_no_wider_than_roundings_are_left_out() {
-    let (mut points, mut triangles) = cuboid([[0.0; 3], [4.0; 3]], 0);
-    points.extend([[4.0, 1.0, 2.0], [4.0, 2.0, 2.0], [4.0, 3.0, 2.0]]);
-    triangles.truncate(10);
-    triangles.extend([[1, 3, 8], [3, 10, 8], [3, 7, 10], [7, 9, 10], [7, 5, 9], [5, 8, 9]]);
-    triangles.extend([[5, 1, 8], [8, 10, 9]]);
+    let (points, triangles) = cube_with_needle();
     let points = turned(&points);
     let made = run(&points, &triangles, &split(Extent::Boundary, f64::INFINITY));
     assert_eq!(made.vertex_count(), points.len());

@@ -15,8 +15,11 @@ use crate::numerics::norm;
 use std::cmp::Reverse;
 use std::collections::VecDeque;
 
-/// Number of polls' units of work for one pair of neighbours.
-const WORK: u32 = 2;
+/// Number of polls' units of work for one pair of neighbours, most of which are plainly bent.
+const WORK: u32 = 20;
+
+/// Number of polls' units of work for one exact normal.
+const NORMAL_WORK: u32 = 24;
 
 /// Triangles of which some are one facet.
 pub(super) struct Surface<'a> {
@@ -132,12 +135,10 @@ pub(super) fn merged(
     let sine = sine_of(coplanar);
     let (neighbors, borrowed) = flat_neighbors(points, surface, sine, poll)?;
     let corners = |triangle: u32| triangles[triangle as usize].map(|v| &points[v as usize]);
-    let size = |triangle: u32| {
-        let (normal, exponent) = normalized(normal(corners(triangle)));
-        (exponent, (norm(&normal) * 1e6) as u64)
-    };
     let has_angle = sine > ROUNDING;
-    let sized = |triangle: u32| (if has_angle { size(triangle) } else { (0, 0) }, triangle);
+    let normals = if has_angle { normals_of(points, triangles, poll)? } else { Vec::new() };
+    let normal = |triangle: u32| normals.get(triangle as usize);
+    let sized = |triangle: u32| (normal(triangle).map_or((0, 0), |own| own.size), triangle);
     let mut seeds = collected((0..triangles.len() as u32).map(sized))?;
     seeds.sort_unstable_by_key(|&(size, triangle)| (Reverse(size), triangle));
     let mut facets = filled(triangles.len(), NONE)?;
@@ -146,7 +147,7 @@ pub(super) fn merged(
         if facets[seed as usize] != NONE {
             continue;
         }
-        let Some(frame) = Frame::of(corners(seed), sine) else { continue };
+        let Some(frame) = Frame::of(corners(seed), normal(seed), sine) else { continue };
         facets[seed as usize] = seed;
         members.clear();
         enqueue(&mut waiting, seed)?;
@@ -154,7 +155,9 @@ pub(super) fn merged(
             members.try_push(triangle)?;
             for &next in neighbors.of(triangle as usize) {
                 let is_part = origins[triangle as usize] == origins[next as usize];
-                if facets[next as usize] == NONE && frame.contains(corners(next), is_part) {
+                if facets[next as usize] == NONE
+                    && frame.contains(corners(next), normal(next), is_part)
+                {
                     facets[next as usize] = seed;
                     enqueue(&mut waiting, next)?;
                 }
@@ -209,34 +212,48 @@ struct Frame {
     cosine: f64,
 }
 
+/// Normal of a triangle.
+struct Normal {
+    /// Direction of length 1.
+    unit: [f64; 3],
+    /// Twice the area, in an order of its own.
+    size: (i64, u64),
+}
+
+/// Returns the normals of triangles. They are exact but for roundings, which takes its time.
+fn normals_of(points: &[[f64; 3]], triangles: &[[u32; 3]], poll: Poll<'_>) -> Result<Vec<Normal>> {
+    let mut normals = with_capacity(triangles.len())?;
+    for own in triangles {
+        poll(NORMAL_WORK)?;
+        let (normal, exponent) = normalized(normal(own.map(|v| &points[v as usize])));
+        let length = norm(&normal);
+        let size = (exponent, (length * 1e6) as u64);
+        normals.push(Normal { unit: normal.map(|x| x / length), size });
+    }
+    Ok(normals)
+}
+
 impl Frame {
-    fn of(corners: [&[f64; 3]; 3], sine: f64) -> Option<Self> {
+    fn of(corners: [&[f64; 3]; 3], normal: Option<&Normal>, sine: f64) -> Option<Self> {
         let projection = Projection::of_triangle(corners)?;
         Some(Self {
             projection,
             is_positive: projection.turn(corners).is_positive(),
-            normal: (sine > ROUNDING).then(|| unit_normal(corners)),
+            normal: normal.map(|own| own.unit),
             cosine: (1.0 - sine * sine).max(0.0).sqrt(),
         })
     }
 
     /// Returns true if a triangle turns as the facet does in its projection, exactly, and is not
     /// turned from its plane by more than the angle, or is a part of one in it.
-    fn contains(&self, corners: [&[f64; 3]; 3], is_part: bool) -> bool {
+    fn contains(&self, corners: [&[f64; 3]; 3], normal: Option<&Normal>, is_part: bool) -> bool {
         let turn = self.projection.turn(corners);
         let is_alike = if self.is_positive { turn.is_positive() } else { turn.is_negative() };
-        let is_turned = |normal: [f64; 3]| {
-            let other = unit_normal(corners);
-            (0..3).map(|k| normal[k] * other[k]).sum::<f64>() < self.cosine
+        let is_turned = |(own, other): ([f64; 3], &Normal)| {
+            (0..3).map(|k| own[k] * other.unit[k]).sum::<f64>() < self.cosine
         };
-        is_alike && (is_part || !self.normal.is_some_and(is_turned))
+        is_alike && (is_part || !self.normal.zip(normal).is_some_and(is_turned))
     }
-}
-
-fn unit_normal(corners: [&[f64; 3]; 3]) -> [f64; 3] {
-    let (normal, _) = normalized(normal(corners));
-    let length = norm(&normal);
-    normal.map(|x| x / length)
 }
 
 /// Returns for each triangle those beyond an edge at which the two are flat and of one kind, or are

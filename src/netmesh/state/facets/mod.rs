@@ -38,6 +38,8 @@ pub(in crate::netmesh) struct Facets {
     /// Pairs of facets, the lower first, with the lines and vertices where they meet at small
     /// angles.
     meetings: Vec<(u32, u32, Meeting)>,
+    /// Facet -> the first of the pairs in which it is the lower one, and one more.
+    first_meetings: Vec<usize>,
     /// Facet -> true if it is in one of these pairs.
     meets: Vec<bool>,
     /// Line -> true if facets or segments meet there at a small angle.
@@ -227,10 +229,11 @@ impl Facets {
 
     /// Returns the places where two facets meet at small angles.
     pub fn meetings(&self, f: u32, g: u32) -> &[(u32, u32, Meeting)] {
-        let pair = (f.min(g), f.max(g));
-        let first = self.meetings.partition_point(|&(a, b, _)| (a, b) < pair);
-        let all = &self.meetings[first..];
-        &all[..all.iter().take_while(|&&(a, b, _)| (a, b) == pair).count()]
+        let (lower, higher) = (f.min(g) as usize, f.max(g));
+        let [first, end] = [0, 1].map(|more| self.first_meetings.get(lower + more).copied());
+        let own = &self.meetings[first.unwrap_or(0)..end.unwrap_or(0)];
+        let all = &own[own.partition_point(|&(_, other, _)| other < higher)..];
+        &all[..all.iter().take_while(|&&(_, other, _)| other == higher).count()]
     }
 
     /// Returns true if a facet meets any other at a small angle.
@@ -265,6 +268,13 @@ impl Facets {
         for &(f, g, _) in &meetings {
             self.meets[f as usize] = true;
             self.meets[g as usize] = true;
+        }
+        self.first_meetings = filled(self.facets.len() + 1, 0)?;
+        let mut count = 0;
+        for (facet, first) in (0u32..).zip(&mut self.first_meetings) {
+            let own = meetings[count..].iter().take_while(|&&(f, ..)| f < facet);
+            count += own.count();
+            *first = count;
         }
         (self.is_sharp, self.meetings) = (is_sharp, meetings);
         Ok(())

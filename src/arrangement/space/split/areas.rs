@@ -121,17 +121,19 @@ pub(super) fn leave_to_first(
     for (piece, _, step) in steps {
         pieces.all[piece as usize].balance += step;
     }
-    let mut lenders = filled(pieces.all.len(), NONE)?;
-    for &[one, other] in pairs.iter().filter(|pair| !is_borrowed[pair[0] as usize]) {
-        let first = &mut lenders[other as usize];
+    let mut firsts = filled(pieces.all.len(), NONE)?;
+    for &[one, other] in pairs {
+        let first = &mut firsts[other as usize];
         *first = one.min(*first);
     }
+    // Piece -> the number that it has among the kept ones, or that its lender has: the first that
+    // shares its area comes before it, and may itself be borrowed.
     let (mut kept, mut numbers) = (Vec::new(), filled(pieces.all.len(), NONE)?);
     for (at, piece) in pieces.all.iter().enumerate() {
         if is_borrowed[at] {
+            numbers[at] = numbers[firsts[at] as usize];
             pieces.borrowed.try_push(*piece)?;
-            // Lenders come before what is borrowed from them.
-            pieces.lenders.try_push(numbers[lenders[at] as usize])?;
+            pieces.lenders.try_push(numbers[at])?;
         } else {
             numbers[at] = kept.len() as u32;
             kept.try_push(*piece)?;

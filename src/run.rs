@@ -81,10 +81,12 @@ impl Mesh {
         options: &Options,
         arrangement: Option<&mut Arrangement>,
         size: Option<&SizeFn<'_>>,
-        progress: Option<&mut ProgressFn<'_>>,
+        mut progress: Option<&mut ProgressFn<'_>>,
     ) -> Result<Triangulation> {
         let inputs = self.inputs();
-        let of_curvature = self.sizes_of_curvature(options, arrangement.as_deref())?;
+        let mut watch = Watch::new(progress.as_deref_mut());
+        let poll: Poll<'_> = &mut |work| watch.poll_after(work);
+        let of_curvature = self.sizes_of_curvature(options, arrangement.as_deref(), poll)?;
         match Field::new(self, size, of_curvature)? {
             None => netmesh::run(inputs, arrangement, options, progress),
             Some(field) => {

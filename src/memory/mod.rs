@@ -4,6 +4,7 @@
 
 mod allocation;
 mod array;
+mod buckets;
 mod id;
 mod lists;
 mod pages;
@@ -12,6 +13,7 @@ mod sets;
 
 use crate::error::{Error, ErrorKind};
 pub use array::Array;
+pub(crate) use buckets::sorted_in_buckets;
 pub use id::Id;
 pub use lists::Lists;
 use pages::prefer_large_pages;

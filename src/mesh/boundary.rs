@@ -3,7 +3,7 @@
 
 use super::{ArrangedFacet, Boxed, FacetTriangle, Inputs, Mesh, NONE, Triangulation};
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::memory::{AllocResult, Lists, collected, copied, filled, with_capacity};
+use crate::memory::{AllocError, AllocResult, Lists, collected, copied, filled, with_capacity};
 use std::ops::RangeInclusive;
 
 /// Largest number of segments that 32-bit ids can tell apart.
@@ -179,13 +179,14 @@ impl Boundary {
     }
 
     /// Returns for each subsegment true if it is an edge of one of the given simplices, whose
-    /// vertices are below `vertices`. O(simplices + subsegments), except at vertices with many
-    /// subsegments.
-    pub(crate) fn edges_of<'a>(
+    /// vertices are below `vertices`. `tick` is told of the work, and may end it. O(simplices +
+    /// subsegments), except at vertices with many subsegments.
+    pub(crate) fn edges_of<'a, E: From<AllocError>>(
         &self,
         vertices: usize,
         simplices: impl Iterator<Item = &'a [u32]>,
-    ) -> AllocResult<Vec<bool>> {
+        mut tick: impl FnMut(u32) -> std::result::Result<(), E>,
+    ) -> std::result::Result<Vec<bool>, E> {
         let mut is_edge = filled(self.subsegments.len(), false)?;
         if self.subsegments.is_empty() {
             return Ok(is_edge);
@@ -195,6 +196,7 @@ impl Boundary {
             ends.map(|(slot, &vertex)| (vertex, (slot / 2) as u32))
         })?;
         for simplex in simplices {
+            tick(1)?;
             for (slot, &from) in simplex.iter().enumerate() {
                 for &to in &simplex[slot + 1..] {
                     let [shorter, longer] = [from, to].map(|vertex| at.of(vertex as usize));
@@ -218,7 +220,7 @@ impl Boundary {
     ) -> AllocResult<Self> {
         let all = &mesh.boundary;
         let own = simplices.iter().map(|&simplex| mesh.simplex(simplex as usize));
-        let is_edge = all.edges_of(mesh.vertex_count(), own)?;
+        let is_edge = all.edges_of(mesh.vertex_count(), own, |_| AllocResult::Ok(()))?;
         let kept = || (0..is_edge.len()).filter(|&at| is_edge[at]);
         let new_ends = |at: usize| all.subsegments[at].map(|vertex| new_vertex[vertex as usize]);
         let regions = |&simplex: &u32| all.simplex_regions.get(simplex as usize).copied();

@@ -36,33 +36,32 @@ impl Mesh {
         let regions = self.regions();
         let task = TaskInSpace { inputs, facets, segments, regions, coplanar, extent, crossings };
         let arrangement = arrange_in_space(&task, poll)?;
-        let interior = self.interior_in_space(options, &arrangement)?;
-        let options = &Options { interior, ..options.clone() };
-        let options = match extent {
-            Extent::Auto if encloses_in_space(inputs, &arrangement, interior)? => {
-                Options { extent: Extent::Boundary, ..options.clone() }
-            }
-            Extent::Auto => without_interior(options.clone()),
-            _ => options.clone(),
-        };
-        if options.extent == Extent::Boundary {
-            check_closed_in_space(inputs, &arrangement, interior)?;
-        }
-        Ok((options, Some(arrangement)))
-    }
-
-    /// Returns the rule that [`Interior::Auto`] stands for: the winding number where surfaces are
-    /// closed and their triangles are oriented alike, so that shells in shells are hollow.
-    fn interior_in_space(&self, options: &Options, arrangement: &Arrangement) -> Result<Interior> {
-        let ends_there = matches!(options.extent, Extent::Auto | Extent::Boundary);
-        let is_oriented = || encloses_in_space(self.inputs(), arrangement, Interior::Winding);
-        Ok(match options.interior {
-            Interior::Auto if self.has_surface() && ends_there && is_oriented()? => {
-                Interior::Winding
-            }
+        let mut encloses = |rule| encloses_in_space(inputs, &arrangement, rule, &mut *poll);
+        let ends_there = matches!(extent, Extent::Auto | Extent::Boundary);
+        // The winding number where surfaces are closed and their triangles are oriented alike, so
+        // that shells in shells are hollow.
+        let is_wound = options.interior == Interior::Auto
+            && self.has_surface()
+            && ends_there
+            && encloses(Interior::Winding)?;
+        let interior = match options.interior {
+            Interior::Auto if is_wound => Interior::Winding,
             Interior::Auto => Interior::Seeds,
             given => given,
-        })
+        };
+        let options = Options { interior, ..options.clone() };
+        let options = match extent {
+            Extent::Auto if is_wound || encloses(interior)? => {
+                Options { extent: Extent::Boundary, ..options }
+            }
+            Extent::Auto => without_interior(options),
+            Extent::Boundary if !is_wound => {
+                check_closed_in_space(inputs, &arrangement, interior, poll)?;
+                options
+            }
+            _ => options,
+        };
+        Ok((options, Some(arrangement)))
     }
 
     /// Returns the sizes that the curvature of facets asks for; `None` if the caller does not.
@@ -73,13 +72,14 @@ impl Mesh {
         &self,
         options: &Options,
         arrangement: Option<&Arrangement>,
+        poll: Poll<'_>,
     ) -> Result<Option<CurvatureSizes>> {
         let (inputs, asked) = (self.inputs(), options.size_from_curvature);
         // What is no option at all is refused with all others.
         let is_asked = asked > 0.0 && inputs.dim() == 3;
         match arrangement.filter(|arrangement| !arrangement.facets.is_empty()) {
             _ if !is_asked => Ok(None),
-            Some(arrangement) => Ok(Some(CurvatureSizes::new(inputs, arrangement, asked)?)),
+            Some(arrangement) => Ok(Some(CurvatureSizes::new(inputs, arrangement, asked, poll)?)),
             None => Err(Error::invalid(say!(
                 Name::SizeFromCurvature,
                 " is {asked}; it needs facets; the mesh has none"

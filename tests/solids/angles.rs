@@ -1,6 +1,6 @@
 //! Small angles of the input, and features that are near each other.
 
-use super::{Point, Solid, assert_holds, bounded, cuboid, volume};
+use super::{Point, Solid, assert_holds, assert_none_excused, bounded, cuboid, volume};
 use netmesh::{Extent, Mesh, Options};
 
 /// Returns the prism over a triangle with the given angle, in degrees.
@@ -80,6 +80,34 @@ fn sides_whose_corners_are_beyond_their_edge_meet_at_its_angle() {
         let count = vertices_in_box(fold(5.0, along));
         assert!(count <= most, "{along:?}: {count} vertices");
     }
+}
+
+/// A facet that reaches round another one is seen from where they meet at a small angle, though
+/// none is there: no simplex is excused.
+#[test]
+fn facets_that_meet_at_a_vertex_have_the_angle_that_they_have_there() {
+    let reaching = [
+        [1.0, 0.0],
+        [1.0, -1.0],
+        [4.0, -1.0],
+        [4.0, 3.0],
+        [1.0, 3.0],
+        [1.0, 2.0],
+        [2.2, 2.6],
+        [3.0, 2.0],
+        [3.0, 0.0],
+        [2.2, -0.6],
+    ];
+    let plane = reaching.into_iter().chain([[0.0, 0.0], [0.0, 2.0]]).map(|[x, y]| [x, y, 0.0]);
+    let solid = Solid {
+        points: plane.chain([[-4.0; 3], [8.0; 3]]).collect(),
+        polygons: vec![(0..10).collect(), vec![10, 0, 5, 11]],
+        regions: Vec::new(),
+    };
+    let mut mesh = solid.mesh();
+    mesh.run(&Options { extent: Extent::Box, ..bounded(2.0) }, None).unwrap();
+    assert_holds(&mesh);
+    assert_none_excused(mesh.result().unwrap());
 }
 
 /// Roundings of a plane that is no axis' are some 1e-7 of the smallest gap.

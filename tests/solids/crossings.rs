@@ -12,7 +12,7 @@ pub fn split(extent: Extent, bound: f64) -> Options {
     Options { extent, crossings: Crossings::Split, max_vertices: 100_000, ..bounded(bound) }
 }
 
-fn surface(points: &[Point], triangles: &[[u32; 3]]) -> Mesh {
+pub fn surface(points: &[Point], triangles: &[[u32; 3]]) -> Mesh {
     let mut mesh = Mesh::new(3, points.len(), points.as_flattened(), 0).unwrap();
     mesh.set_triangles(triangles.as_flattened(), None).unwrap();
     mesh

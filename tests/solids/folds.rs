@@ -1,9 +1,10 @@
 //! Surfaces that are folded over themselves in one plane, split where they meet: no facet has an
 //! area twice, and each mesh holds its certificate.
 
-use super::crossings::{cuboid, run, split, turned};
-use super::{Point, volume};
+use super::crossings::{cuboid, run, split, surface, turned};
+use super::{Point, bounded, volume};
 use crate::random::Random;
+use netmesh::error::ErrorKind;
 use netmesh::options::{Extent, Interior, Options};
 
 /// Returns a cube of edge 4 whose last side has further vertices at `places`: each divides the
@@ -97,4 +98,16 @@ fn needles_no_wider_than_roundings_are_left_out() {
     let made = run(&points, &triangles, &split(Extent::Boundary, f64::INFINITY));
     assert_eq!(made.vertex_count(), points.len());
     assert!(!made.boundary.subfacet_parents.contains(&17), "the needle has no subfacet");
+}
+
+/// Holds that such a triangle is refused, with its place, where it has to stay: between vertices
+/// that are rounded to its edges it has no area.
+#[test]
+fn needles_no_wider_than_roundings_have_no_room() {
+    let (points, triangles) = cube_with_needle();
+    let mut mesh = surface(&turned(&points), &triangles);
+    let error = mesh.run(&bounded(2.0), None).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::Limit);
+    assert!(error.message().starts_with("doubles have no room for a triangle of facets near ("));
+    assert!(mesh.result().is_err());
 }

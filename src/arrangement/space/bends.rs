@@ -2,7 +2,8 @@
 
 use super::projection::Projection;
 use super::sides::Sides;
-use crate::memory::AllocResult;
+use crate::arrangement::poll::Poll;
+use crate::error::Result;
 use crate::numerics::{Edges, cross, orientation, scale_by_power};
 
 /// Sine of the largest angle between two triangles that roundings explain.
@@ -71,11 +72,12 @@ pub(super) fn are_flat(
     points: &[[f64; 3]],
     triangles: &[[u32; 3]],
     degrees: f64,
-) -> AllocResult<bool> {
+    poll: Poll<'_>,
+) -> Result<bool> {
     if degrees <= 0.0 {
         return Ok(false);
     }
-    let (sine, sides) = (sine_of(degrees), Sides::of_triangles(triangles)?);
+    let (sine, sides) = (sine_of(degrees), Sides::of_triangles(triangles, poll)?);
     let point = |vertex: u32| &points[vertex as usize];
     Ok(sides.groups().filter(|group| group.len() == 2).all(|group| {
         let [(edge, c), (_, d)] = [group[0], group[1]].map(|side| side.within(triangles));

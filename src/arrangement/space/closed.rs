@@ -2,6 +2,7 @@
 //! enclose, and do they enclose anything.
 
 use super::sides::{Side, Sides};
+use crate::arrangement::poll::Poll;
 use crate::error::{Choice, Error, ErrorKind, Result, say};
 use crate::memory::{Sets, TryGrow, collected};
 use crate::mesh::{Arrangement, Inputs};
@@ -10,18 +11,22 @@ use crate::options::Interior;
 use std::cmp::Ordering;
 use std::fmt::{self, Display, Formatter};
 
+/// Number of polls' units of work for one edge.
+const WORK: u32 = 1;
+
 /// Fails unless the facets of an arrangement form closed surfaces. For parity, every edge must be
 /// one of an even number of triangles; for winding, as many triangles must run through it in one
 /// direction as in the other. O(n log n).
 ///
 /// # Errors
-/// `InvalidArgument` (an edge where surfaces do not close), `OutOfMemory`.
+/// `InvalidArgument` (an edge where surfaces do not close), `OutOfMemory`, and those of `poll`.
 pub fn check_closed_in_space(
     inputs: &Inputs,
     arrangement: &Arrangement,
     interior: Interior,
+    poll: Poll<'_>,
 ) -> Result<()> {
-    match first_open(arrangement, interior)? {
+    match first_open(arrangement, interior, poll)? {
         Some((ends, counts)) => Err(open_at(inputs, arrangement, ends, counts, interior)),
         None => Ok(()),
     }
@@ -31,13 +36,14 @@ pub fn check_closed_in_space(
 /// inside. Open surfaces enclose nothing under a rule that asks for closed ones. O(n log n).
 ///
 /// # Errors
-/// `OutOfMemory`.
+/// `OutOfMemory`, and those of `poll`.
 pub fn encloses_in_space(
     inputs: &Inputs,
     arrangement: &Arrangement,
     interior: Interior,
+    poll: Poll<'_>,
 ) -> Result<bool> {
-    if first_open(arrangement, interior)?.is_some() {
+    if first_open(arrangement, interior, poll)?.is_some() {
         return Ok(false);
     }
     // The regions before and behind a triangle differ by its balance, so that one of them is inside
@@ -45,7 +51,7 @@ pub fn encloses_in_space(
     let mut balances =
         arrangement.triangles.iter().map(|one| arrangement.facets[one.facet as usize].balance);
     match interior {
-        Interior::Auto | Interior::Seeds => separates(inputs, arrangement),
+        Interior::Auto | Interior::Seeds => separates(inputs, arrangement, poll),
         Interior::Parity => Ok(balances.any(|balance| balance % 2 != 0)),
         Interior::Winding => Ok(balances.any(|balance| balance != 0)),
     }
@@ -57,6 +63,7 @@ pub fn encloses_in_space(
 fn first_open(
     arrangement: &Arrangement,
     interior: Interior,
+    poll: Poll<'_>,
 ) -> Result<Option<([u32; 2], [u64; 2])>> {
     if matches!(interior, Interior::Auto | Interior::Seeds) {
         return Ok(None);
@@ -66,7 +73,8 @@ fn first_open(
         let facet = arrangement.triangles[side.triangle as usize].facet;
         arrangement.facets[facet as usize].balance
     };
-    for group in Sides::of_triangles(&triangles)?.groups() {
+    for group in Sides::of_triangles(&triangles, poll)?.groups() {
+        poll(WORK)?;
         let (mut up, mut down) = (0, 0);
         for side in group {
             let runs_up = side.runs_up(&triangles) == (balance(side) > 0);
@@ -142,12 +150,13 @@ impl Display for End<'_> {
 /// triangles around edges: pieces of the surface that share no more than a vertex can be drawn
 /// apart there, which divides or joins nothing, and then the ways along a connected surface reach
 /// all that bounds one region.
-fn separates(inputs: &Inputs, arrangement: &Arrangement) -> Result<bool> {
+fn separates(inputs: &Inputs, arrangement: &Arrangement, poll: Poll<'_>) -> Result<bool> {
     let triangles = collected(arrangement.triangles.iter().map(|triangle| triangle.vertices))?;
     // Connected fronts (2 i) and backs (2 i + 1).
     let mut connected = Sets::new(2 * triangles.len())?;
     let mut around: Vec<Side> = Vec::new();
-    for group in Sides::of_triangles(&triangles)?.groups() {
+    for group in Sides::of_triangles(&triangles, poll)?.groups() {
+        poll(WORK)?;
         around.clear();
         around.try_extend(group)?;
         if around.len() > 2 {

@@ -6,6 +6,8 @@ use super::boxes::{Bounds, BoxTree, bounds_of};
 use super::points_of;
 use super::projection::{normal, tangent_of_half};
 use super::sides::{Side, Sides};
+use crate::arrangement::poll::Poll;
+use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected, with_capacity};
 use crate::mesh::{Arrangement, FacetTriangle, Inputs};
 use crate::numerics::{coordinates, distance, distance_to_edge, distance_to_line, norm};
@@ -31,18 +33,30 @@ struct BentEdge {
     size: f64,
 }
 
+/// Number of polls' units of work for one edge.
+const WORK: u32 = 10;
+
 impl CurvatureSizes {
     /// Returns the sizes with which edges have their middles no farther than `chord_error` from the
     /// round surface that the facets of an arrangement approximate, but no smaller ones than twice
     /// that. O(n log n) for n triangles, and the vertices of each facet for each of its bent edges
     /// at worst.
-    pub fn new(inputs: &Inputs, arrangement: &Arrangement, chord_error: f64) -> AllocResult<Self> {
+    ///
+    /// # Errors
+    /// `OutOfMemory`, and those of `poll`.
+    pub fn new(
+        inputs: &Inputs,
+        arrangement: &Arrangement,
+        chord_error: f64,
+        poll: Poll<'_>,
+    ) -> Result<Self> {
         let mut points = points_of(inputs)?;
         points.try_extend(&arrangement.corners)?;
         let facets = Facets::new(&points, &arrangement.triangles)?;
         let mut edges = Vec::new();
         let vertices = collected(arrangement.triangles.iter().map(|triangle| triangle.vertices))?;
-        for sides in Sides::of_triangles(&vertices)?.groups() {
+        for sides in Sides::of_triangles(&vertices, poll)?.groups() {
+            poll(WORK)?;
             let [one, other] = sides else { continue };
             if let Some(radius) = facets.radius_at(&vertices, [one, other]) {
                 let ends = one.ends.map(|vertex| points[vertex as usize]);

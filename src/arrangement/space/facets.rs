@@ -7,11 +7,14 @@ use super::fit::Fitted;
 use super::merge::{Pairs, Surface, merged};
 use super::pieces::{Piece, Pieces};
 use super::sides::{Side, Sides};
-use crate::arrangement::poll::Poll;
+use crate::arrangement::poll::{LONG, Poll};
 use crate::error::Result;
 use crate::memory::{AllocResult, Lists, TryGrow, collected, with_capacity};
 use crate::mesh::{ArrangedFacet, Arrangement, FacetTriangle, NONE};
 use crate::options::Crossings;
+
+/// Number of polls' units of work for one edge or facet.
+const WORK: u32 = 1;
 
 /// Fills an arrangement with the facets of a surface: its triangles, merged where they are plane.
 /// The lines of the pieces become the edges at which facets end, those of borrowed triangles too.
@@ -31,10 +34,11 @@ pub(super) fn add_surface(
     let kinds = numbered(of.iter().map(kind))?;
     let pairs = match task.crossings {
         Crossings::Refuse => None,
-        Crossings::Split => Some(Pairs::new(task, &of, pieces)?),
+        Crossings::Split => Some(Pairs::new(task, &of, pieces, poll)?),
     };
     let surface = Surface { triangles: &triangles, kinds: &kinds, origins: &of, pairs };
     let firsts = merged(points, &surface, task.coplanar, poll)?;
+    poll(LONG)?;
     // The first of the caller's triangles, by the first one of a group.
     let mut parents = collected(of.iter().copied())?;
     for (&first, &parent) in firsts.iter().zip(&of) {
@@ -45,18 +49,19 @@ pub(super) fn add_surface(
     let found = collected(own.enumerate().map(|(at, piece)| (parent(at), *piece)))?;
     let rest = firsts.len() - pieces.borrowed.len();
     let borrowed = (rest..).zip(&pieces.borrowed).map(|(at, piece)| (parent(at), *piece));
-    add_facets(&found, &collected(borrowed)?, arrangement)?;
-    pieces.lines = ends_of_groups(&surface, &firsts)?;
+    add_facets(&found, &collected(borrowed)?, arrangement, poll)?;
+    pieces.lines = ends_of_groups(&surface, &firsts, poll)?;
     Ok(())
 }
 
 /// Returns the edges at which groups of triangles end: where one of the caller's triangles ends,
 /// and no neighbour goes on.
-fn ends_of_groups(surface: &Surface<'_>, groups: &[u32]) -> AllocResult<Vec<[u32; 2]>> {
+fn ends_of_groups(surface: &Surface<'_>, groups: &[u32], poll: Poll<'_>) -> Result<Vec<[u32; 2]>> {
     let mut ends = Vec::new();
     // Groups, the caller's triangles, and the sides' own.
     let mut own: Vec<[u32; 3]> = Vec::new();
-    for sides in Sides::of_triangles(surface.triangles)?.groups() {
+    for sides in Sides::of_triangles(surface.triangles, poll)?.groups() {
+        poll(WORK)?;
         own.clear();
         for &Side { triangle, .. } in sides {
             let at = triangle as usize;
@@ -89,12 +94,16 @@ fn numbered<T: Copy + Ord>(values: impl Iterator<Item = T> + Clone) -> AllocResu
 
 /// Fills an arrangement with polygon facets. Those without an area, if crossings are split, have no
 /// triangles, nor have those that lie on others.
-pub(super) fn add_polygons(pieces: &Pieces, arrangement: &mut Arrangement) -> AllocResult<()> {
+pub(super) fn add_polygons(
+    pieces: &Pieces,
+    arrangement: &mut Arrangement,
+    poll: Poll<'_>,
+) -> Result<()> {
     let [found, borrowed] = [&pieces.all, &pieces.borrowed].map(|all| {
         let own = all.iter().filter(|piece| piece.triangle().is_some());
         collected(own.filter_map(|piece| Some((piece.facet()?, *piece))))
     });
-    add_facets(&found?, &borrowed?, arrangement)
+    add_facets(&found?, &borrowed?, arrangement, poll)
 }
 
 /// Adds triangles, each with the number of the caller's facet, by facets: those of one number and
@@ -103,17 +112,21 @@ fn add_facets(
     found: &[(u32, Piece)],
     borrowed: &[(u32, Piece)],
     arrangement: &mut Arrangement,
-) -> AllocResult<()> {
+    poll: Poll<'_>,
+) -> Result<()> {
     for (parent, piece) in borrowed {
         if let Some(vertices) = piece.triangle() {
             arrangement.borrowed.try_push((vertices, *parent))?;
         }
     }
     arrangement.borrowed.sort_unstable_by_key(|&(vertices, parent)| (parent, vertices));
+    poll(LONG)?;
     let kinds = numbered(found.iter().map(|(parent, piece)| (*parent, piece.balance)))?;
+    poll(LONG)?;
     let of_facets = Lists::of_pairs(found.len(), || kinds.iter().copied().zip(0u32..))?;
     arrangement.triangles = with_capacity(found.len())?;
     for own in of_facets.iter().filter(|own| !own.is_empty()) {
+        poll(WORK)?;
         let facet = arrangement.facets.len() as u32;
         let (parent, Piece { balance, .. }) = found[own[0] as usize];
         arrangement.facets.try_push(ArrangedFacet { parent, balance })?;

@@ -130,10 +130,13 @@ fn invalid_files_are_refused_with_all_pairs() {
     let Some(open) = off("made/invalid_open_box.off") else { return };
     let made = open.arrangement();
     for interior in [crate::options::Interior::Parity, crate::options::Interior::Winding] {
-        check_closed_in_space(&open.inputs, &made, interior).unwrap_err();
-        assert!(!encloses_in_space(&open.inputs, &made, interior).unwrap());
+        check_closed_in_space(&open.inputs, &made, interior, &mut |_| Ok(())).unwrap_err();
+        assert!(!encloses_in_space(&open.inputs, &made, interior, &mut |_| Ok(())).unwrap());
     }
-    assert!(!encloses_in_space(&open.inputs, &made, crate::options::Interior::Seeds).unwrap());
+    assert!(
+        !encloses_in_space(&open.inputs, &made, crate::options::Interior::Seeds, &mut |_| Ok(()))
+            .unwrap()
+    );
 }
 
 #[test]
@@ -151,7 +154,15 @@ fn valid_files_are_arranged() {
         let Some(case) = off(&format!("made/{name}.off")) else { return };
         let made = case.arrangement();
         assert_eq!(made.facets.len(), facets, "{name}");
-        assert!(encloses_in_space(&case.inputs, &made, crate::options::Interior::Seeds).unwrap());
+        assert!(
+            encloses_in_space(
+                &case.inputs,
+                &made,
+                crate::options::Interior::Seeds,
+                &mut |_| Ok(())
+            )
+            .unwrap()
+        );
     }
     for name in [
         "chazelle_4",

@@ -194,7 +194,7 @@ impl Given<'_> {
                     found.map(|at| is_found[keys[at].1 as usize] = true).is_err()
                 });
             }
-            self.add_parts(&triangles, &mut fitted)?;
+            self.add_parts(&triangles, &mut fitted, poll)?;
         }
         let mut all = covers.iter().flatten();
         let is_whole = all.all(|&piece| is_found[piece as usize]);
@@ -202,9 +202,10 @@ impl Given<'_> {
     }
 
     /// Adds the triangles of a side, in parts between the caller's edges.
-    fn add_parts(&self, triangles: &[[u32; 3]], fitted: &mut Fitted) -> AllocResult<()> {
+    fn add_parts(&self, triangles: &[[u32; 3]], fitted: &mut Fitted, poll: Poll<'_>) -> Result<()> {
         let mut parts = Sets::new(triangles.len())?;
-        for group in Edges::of_triangles(triangles)?.groups().filter(|group| group.len() == 2) {
+        for group in Edges::of_triangles(triangles, poll)?.groups().filter(|group| group.len() == 2)
+        {
             if self.edges.binary_search(&group[0].ends).is_err() {
                 parts.join(group[0].triangle as usize, group[1].triangle as usize);
             }

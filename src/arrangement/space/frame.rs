@@ -89,7 +89,7 @@ impl Frame {
                 let surface = Surface { triangles: &triangles, kinds, origins, pairs: None };
                 merged(points, &surface, 0.0, poll)?
             }
-            None => exactly_plane(points, &triangles)?,
+            None => exactly_plane(points, &triangles, poll)?,
         };
         let (mut count, mut numbers) = (0, filled(triangles.len(), NONE)?);
         for (at, &first) in firsts.iter().enumerate() {
@@ -139,15 +139,15 @@ fn no_volume(extent: Extent) -> Error {
 }
 
 /// Returns for each triangle of a convex surface the first one in exactly its plane.
-fn exactly_plane(points: &[[f64; 3]], triangles: &[[u32; 3]]) -> AllocResult<Vec<u32>> {
+fn exactly_plane(points: &[[f64; 3]], triangles: &[[u32; 3]], poll: Poll<'_>) -> Result<Vec<u32>> {
     let mut planes = Sets::new(triangles.len())?;
-    for group in Sides::of_triangles(triangles)?.groups().filter(|group| group.len() == 2) {
-        let [one, other] = [group[0], group[1]];
+    for group in Sides::of_triangles(triangles, poll)?.groups() {
+        let &[one, other] = group else { continue };
         let [a, b, c] = triangles[one.triangle as usize].map(|at| &points[at as usize]);
         let apex = other.within(triangles).1;
         if orientation(&[a, b, c, &points[apex as usize]]).is_zero() {
             planes.join(one.triangle as usize, other.triangle as usize);
         }
     }
-    collected((0..triangles.len()).map(|at| planes.find(at) as u32))
+    Ok(collected((0..triangles.len()).map(|at| planes.find(at) as u32))?)
 }

@@ -29,7 +29,7 @@ pub fn fill_holes(
 ) -> Result<HoleFilling> {
     let points = points_of(inputs)?;
     let pieces = as_given(&points, inputs, facets, &Segments::default(), poll)?;
-    let rim = Rim::of(&pieces, facets)?;
+    let rim = Rim::of(&pieces, facets, poll)?;
     let (mut found, mut closed) = (HoleFilling::default(), 0);
     for hole in rim.holes(&points)? {
         poll(hole.len() as u32)?;
@@ -120,12 +120,12 @@ struct OpenEdge {
 }
 
 impl Rim {
-    fn of(pieces: &Pieces, facets: &Facets) -> AllocResult<Self> {
+    fn of(pieces: &Pieces, facets: &Facets, poll: Poll<'_>) -> Result<Self> {
         let own = || pieces.all.iter().filter(|piece| piece.triangle().is_some());
         let mut triangles = collected(own().filter_map(Piece::triangle))?;
         let owners = collected(own().map(|piece| piece.facet().unwrap_or(NONE)))?;
         let (mut edges, mut all) = (Vec::new(), Vec::new());
-        for group in Sides::of_triangles(&triangles)?.groups() {
+        for group in Sides::of_triangles(&triangles, poll)?.groups() {
             all.try_push(group[0].ends)?;
             let [side] = group else { continue };
             edges.try_push(open_edge(side, &triangles, &owners, facets))?;

@@ -5,7 +5,7 @@ use super::bends::{Hinge, ROUNDING, normal, normalized, sine_of};
 use super::pieces::Pieces;
 use super::projection::Projection;
 use super::sides::Sides;
-use crate::arrangement::poll::Poll;
+use crate::arrangement::poll::{LONG, Poll};
 use crate::error::Result;
 use crate::memory::{
     AllocResult, Lists, Sets, TryGrow, collected, copied, enqueue, filled, with_capacity,
@@ -17,6 +17,9 @@ use std::collections::VecDeque;
 
 /// Number of polls' units of work for one pair of neighbours, most of which are plainly bent.
 const WORK: u32 = 20;
+
+/// Number of polls' units of work for one triangle of a facet that grows.
+const STEP_WORK: u32 = 2;
 
 /// Number of polls' units of work for one exact normal.
 const NORMAL_WORK: u32 = 24;
@@ -82,7 +85,12 @@ impl Surface<'_> {
 impl<'a> Pairs<'a> {
     /// Finds the pairs of the caller's triangles, of which those in `origins` have parts. O(n log
     /// n).
-    pub fn new(task: &TaskInSpace<'_>, origins: &[u32], pieces: &'a Pieces) -> AllocResult<Self> {
+    pub fn new(
+        task: &TaskInSpace<'_>,
+        origins: &[u32],
+        pieces: &'a Pieces,
+        poll: Poll<'_>,
+    ) -> Result<Self> {
         let mut kept = copied(origins)?;
         kept.sort_unstable();
         let mut is_divided = filled(task.facets.count(), false)?;
@@ -91,7 +99,7 @@ impl<'a> Pairs<'a> {
         }
         kept.dedup();
         Ok(Self {
-            neighbors: neighbors_among(task, &kept)?,
+            neighbors: neighbors_among(task, &kept, poll)?,
             first_borrowed: (origins.len() - pieces.borrowed.len()) as u32,
             lenders: &pieces.lenders,
             is_divided,
@@ -101,14 +109,14 @@ impl<'a> Pairs<'a> {
 
 /// Returns the pairs of some of the caller's triangles that share an edge which no third one has,
 /// sorted: where surfaces overlap, only these are known to be neighbours. O(n log n).
-fn neighbors_among(task: &TaskInSpace<'_>, kept: &[u32]) -> AllocResult<Vec<[u32; 2]>> {
+fn neighbors_among(task: &TaskInSpace<'_>, kept: &[u32], poll: Poll<'_>) -> Result<Vec<[u32; 2]>> {
     let vertices = |&triangle: &u32| {
         let own = &task.facets.inputs[3 * triangle as usize..][..3];
         [own[0], own[1], own[2]].map(|input| task.inputs.vertices()[input as usize])
     };
     let triangles = collected(kept.iter().map(vertices))?;
     let mut pairs = Vec::new();
-    for group in Sides::of_triangles(&triangles)?.groups() {
+    for group in Sides::of_triangles(&triangles, poll)?.groups() {
         if let [one, other] = group {
             // Kept triangles are in order, and so are the sides of an edge.
             pairs.try_push([one, other].map(|side| kept[side.triangle as usize]))?;
@@ -141,6 +149,7 @@ pub(super) fn merged(
     let sized = |triangle: u32| (normal(triangle).map_or((0, 0), |own| own.size), triangle);
     let mut seeds = collected((0..triangles.len() as u32).map(sized))?;
     seeds.sort_unstable_by_key(|&(size, triangle)| (Reverse(size), triangle));
+    poll(LONG)?;
     let mut facets = filled(triangles.len(), NONE)?;
     let (mut members, mut waiting) = (Vec::new(), VecDeque::new());
     for (_, seed) in seeds {
@@ -153,6 +162,7 @@ pub(super) fn merged(
         enqueue(&mut waiting, seed)?;
         while let Some(triangle) = waiting.pop_front() {
             members.try_push(triangle)?;
+            poll(STEP_WORK)?;
             for &next in neighbors.of(triangle as usize) {
                 let is_part = origins[triangle as usize] == origins[next as usize];
                 if facets[next as usize] == NONE
@@ -265,7 +275,7 @@ fn flat_neighbors(
     poll: Poll<'_>,
 ) -> Result<(Lists, Vec<[u32; 2]>)> {
     let Surface { triangles, origins, .. } = *surface;
-    let sides = Sides::of_triangles(triangles)?;
+    let sides = Sides::of_triangles(triangles, poll)?;
     let point = |vertex: u32| &points[vertex as usize];
     let (mut pairs, mut borrowed) = (with_capacity(triangles.len())?, Vec::new());
     for group in sides.groups() {

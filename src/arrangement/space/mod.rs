@@ -128,7 +128,7 @@ pub fn arrange_in_space(task: &TaskInSpace<'_>, poll: Poll<'_>) -> Result<Arrang
     }
     match facets.are_triangles {
         true => add_surface(&points, task, &mut pieces, &mut arrangement, poll)?,
-        false => add_polygons(&pieces, &mut arrangement)?,
+        false => add_polygons(&pieces, &mut arrangement, poll)?,
     }
     if let Some(fitted) = fit::fitted(&mut points, task.extent, &pieces, poll)? {
         add_frame(&fitted, &mut arrangement)?;
@@ -140,7 +140,7 @@ pub fn arrange_in_space(task: &TaskInSpace<'_>, poll: Poll<'_>) -> Result<Arrang
             parts.try_push(([from, to], segment))?;
         }
     }
-    arrangement.subsegments = lines::lines(&arrangement.triangles, &parts, &pieces.lines)?;
+    arrangement.subsegments = lines::lines(&arrangement.triangles, &parts, &pieces.lines, poll)?;
     arrangement.covered_segments = lines::covered(segments.count(), &arrangement.subsegments);
     Ok(arrangement)
 }

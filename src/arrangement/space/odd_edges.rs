@@ -8,6 +8,9 @@ use crate::error::Result;
 use crate::memory::{TryGrow, collected};
 use crate::mesh::{EdgeFault, Facets, Inputs, OddEdge, Segments};
 
+/// Number of polls' units of work for one edge.
+const WORK: u32 = 1;
+
 /// Returns the edges of facets that are not one of two facets that run through them in opposite
 /// directions, sorted. Triangles without an area have no edges. O(n log n).
 ///
@@ -20,7 +23,8 @@ pub fn find_odd_edges(inputs: &Inputs, facets: &Facets, poll: Poll<'_>) -> Resul
     let facets: Vec<&Piece> = collected(pieces.all.iter().filter(|one| one.triangle().is_some()))?;
     let mut found = Vec::new();
     let mut own = Vec::new();
-    for group in Sides::of_triangles(&triangles)?.groups() {
+    for group in Sides::of_triangles(&triangles, poll)?.groups() {
+        poll(WORK)?;
         own.clear();
         for side in group.iter().filter(|side| !is_inner(&facets, side)) {
             own.try_push(*side)?;

@@ -244,7 +244,7 @@ impl Maker<'_> {
             let first = self.points[polygon.vertices[0] as usize];
             self.pieces.note_zero_area(feature, &first)?;
         }
-        if off.is_some() && !are_flat(self.points, &tiling.triangles, self.coplanar)? {
+        if off.is_some() && !are_flat(self.points, &tiling.triangles, self.coplanar, poll)? {
             self.pieces.off_plane = off;
         }
         Ok(self.add_tiling(&tiling, feature)?)

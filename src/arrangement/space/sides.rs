@@ -1,6 +1,8 @@
 //! The sides of triangles, by edge.
 
-use crate::memory::{AllocResult, with_capacity};
+use crate::arrangement::poll::Poll;
+use crate::error::Result;
+use crate::memory::{sorted_in_buckets, with_capacity};
 
 /// Side of a triangle: the edge opposite one of its vertices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -16,7 +18,7 @@ pub(super) struct Sides(Vec<Side>);
 
 impl Sides {
     /// Collects the sides of triangles, which are given by their vertices. O(n log n).
-    pub fn of_triangles(triangles: &[[u32; 3]]) -> AllocResult<Self> {
+    pub fn of_triangles(triangles: &[[u32; 3]], poll: Poll<'_>) -> Result<Self> {
         let mut sides = with_capacity(3 * triangles.len())?;
         for (triangle, own) in (0u32..).zip(triangles) {
             for opposite in 0..3u8 {
@@ -24,8 +26,7 @@ impl Sides {
                 sides.push(Side { ends: [x.min(y), x.max(y)], triangle, opposite });
             }
         }
-        sides.sort_unstable();
-        Ok(Self(sides))
+        Ok(Self(sorted_in_buckets(&sides, |side| side.ends[0], poll)?))
     }
 
     /// Returns the sides of each edge.

@@ -70,7 +70,7 @@ impl Case {
     }
 
     fn encloses(&self, interior: Interior) -> bool {
-        encloses_in_space(&self.inputs, &self.arrangement(), interior).unwrap()
+        encloses_in_space(&self.inputs, &self.arrangement(), interior, &mut |_| Ok(())).unwrap()
     }
 }
 
@@ -234,7 +234,7 @@ fn surfaces_enclose_what_they_divide() {
     let case = Case::surface(&points, &with_wall);
     assert!(!case.encloses(Interior::Parity) && !case.encloses(Interior::Winding));
     let check = |case: &Case, interior| {
-        check_closed_in_space(&case.inputs, &case.arrangement(), interior)
+        check_closed_in_space(&case.inputs, &case.arrangement(), interior, &mut |_| Ok(()))
             .map_err(|error| error.message().to_owned())
     };
     assert_eq!(check(&case, Interior::Seeds), Ok(()));
@@ -343,7 +343,9 @@ fn edges_and_facets_go_through_inputs_on_them() {
         // Two more triangles for each vertex in a facet, and one on each side of an edge.
         assert_eq!(made.triangles.len(), 12 + 3 * 2 + 2 * 2);
         assert_eq!((made.near_inputs, made.farthest_near_input > 0.0), (2, true));
-        assert!(encloses_in_space(&case.inputs, &made, Interior::Winding).unwrap());
+        assert!(
+            encloses_in_space(&case.inputs, &made, Interior::Winding, &mut |_| Ok(())).unwrap()
+        );
     }
     let segments = Case::polygons(&points, &quads()).with_segments(&[[1, 0], [0, 1], [12, 14]]);
     let made = segments.arrangement();

@@ -3,7 +3,7 @@
 use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
-use crate::memory::{AllocResult, collected, with_capacity};
+use crate::memory::{collected, with_capacity};
 use crate::mesh::{ArrangedFacet, Arrangement, NONE, Subsegment};
 use crate::netmesh::state::Mesher;
 use crate::netmesh::state::facets::plane::Plane;
@@ -23,35 +23,34 @@ impl Mesher<'_, '_, 3> {
         self.add_points(&arrangement.corners, &mut vertices, cavity)?;
         let mut lines = with_capacity(arrangement.subsegments.len())?;
         for &Subsegment { ends, segment, balance } in &arrangement.subsegments {
+            self.watch.poll_after(1)?;
             let ends = ends.map(|end| vertices[end as usize]);
             // Any angle may be between facets at the ends: shells are right for all.
             lines.push(Line { ends, segment, is_sharp: [true; 2], balance });
         }
-        self.state.segments.chains = Chains::new(lines, self.state.delaunay.point_count())?;
-        self.watch.poll()?;
+        let count = self.state.delaunay.point_count();
+        self.state.segments.chains = Chains::new(lines, count, &mut self.watch)?;
         self.state.facets = self.sheets_of(arrangement, &vertices)?;
-        self.watch.poll()?;
-        self.state.find_sharp_lines()?;
-        self.watch.poll()?;
-        self.state.make_sheets_delaunay()?;
-        self.watch.poll()?;
+        self.find_sharp_lines()?;
+        self.make_sheets_delaunay()?;
         self.recover_boundary(cavity)?;
-        self.state.find_regions()?;
-        self.watch.poll()?;
+        self.find_regions()?;
         self.judge_regions(&arrangement.regions)
     }
 
     /// Returns the facets of the arrangement.
-    fn sheets_of(&self, arrangement: &Arrangement, vertices: &[VertexId]) -> AllocResult<Facets> {
+    fn sheets_of(&mut self, arrangement: &Arrangement, vertices: &[VertexId]) -> Result<Facets> {
         let triangles = collected(arrangement.triangles.iter().map(|triangle| {
             (triangle.vertices.map(|input| vertices[input as usize]), triangle.facet)
         }))?;
+        self.watch.poll()?;
         let mut facets = with_capacity(arrangement.facets.len())?;
         let mut rest = &triangles[..];
         // Parts of one of the caller's facets are in its plane: in their own they would be off it.
         let is_one =
             |a: &ArrangedFacet, b: &ArrangedFacet| a.parent == b.parent && a.parent != NONE;
         for parts in arrangement.facets.chunk_by(is_one) {
+            self.watch.poll_after(2)?;
             let end = (facets.len() + parts.len()) as u32;
             let own = rest.iter().take_while(|triangle| triangle.1 < end).count();
             let borrowed = borrowed_by(arrangement, parts[0].parent);
@@ -66,7 +65,8 @@ impl Mesher<'_, '_, 3> {
         }
         let balances = collected(arrangement.facets.iter().map(|facet| facet.balance))?;
         let count = self.state.delaunay.point_count();
-        Facets::new(facets, &balances, &triangles, &self.state.segments.chains, count)
+        let chains = &self.state.segments.chains;
+        Facets::new(facets, &balances, &triangles, chains, count, &mut self.watch)
     }
 }
 

@@ -3,7 +3,9 @@
 //! mesh.
 //!
 //! - `conform`: all of it, in order.
+//! - `corner_angles`: the angles between facets at a vertex.
 //! - `sharp`: the lines at which facets or segments meet at small angles.
 
 pub(super) mod conform;
+mod corner_angles;
 pub(super) mod sharp;

@@ -1,46 +1,126 @@
 //! The lines at which facets or segments meet at small angles, and the facets that have one. Away
 //! from them refinement ends as it does in space without small angles.
 
+use super::corner_angles::{Corner, cosine_between};
 use crate::complex::VertexId;
-use crate::memory::{AllocResult, TryGrow, collected, filled};
+use crate::error::Result;
+use crate::memory::{AllocResult, TryGrow, collected, filled, sorted_in_buckets};
 use crate::netmesh::questions::small_angles::{SMALL, SMALL_DIHEDRAL, cosine};
-use crate::netmesh::state::State;
 use crate::netmesh::state::facets::Meeting;
+use crate::netmesh::state::watch::Watch;
+use crate::netmesh::state::{Mesher, State};
 use crate::numerics::foot_on_line;
 
-/// Pairs of facets at a vertex with more of them are not told.
-const MOST_FACETS: usize = 1000;
+/// Pairs of facets at a vertex with more corners than this are not told.
+const MOST_CORNERS: usize = 1000;
+
+/// Roundings of a cosine.
+const ROUNDING: f64 = 1e-9;
+
+/// Pairs of facets, the lower first, and where they meet.
+type Meetings = Vec<(u32, u32, Meeting)>;
+
+impl Mesher<'_, '_, 3> {
+    /// Marks lines and facets at small angles. No line is split.
+    pub(super) fn find_sharp_lines(&mut self) -> Result<()> {
+        let Self { state, watch, .. } = self;
+        let mut is_sharp = filled(state.segments.chains.lines.len(), false)?;
+        let meetings = state.meetings_at_lines(&mut is_sharp, watch)?;
+        state.mark_sharp_fans(&mut is_sharp, watch)?;
+        let lines = state.segments.chains.lines.iter().zip(&is_sharp);
+        let ends = lines.filter(|&(_, &is_sharp)| is_sharp).flat_map(|(line, _)| line.ends);
+        let mut ends = collected(ends)?;
+        ends.sort_unstable();
+        ends.dedup();
+        let meetings = sorted_in_buckets(&meetings, |pair| pair.0, |work| watch.poll_after(work))?;
+        Ok(state.facets.set_sharp(is_sharp, &ends, meetings)?)
+    }
+}
 
 impl State<3> {
-    /// Marks lines and facets at small angles. No line is split.
-    pub(super) fn find_sharp_lines(&mut self) -> AllocResult<()> {
-        let count = self.segments.chains.lines.len();
-        let mut is_sharp = filled(count, false)?;
+    /// Marks the lines at which facets meet at small angles. Returns the pairs of facets that meet
+    /// there, or at a vertex.
+    fn meetings_at_lines(
+        &self,
+        is_sharp: &mut [bool],
+        watch: &mut Watch<'_, '_>,
+    ) -> Result<Meetings> {
         let (mut pages, mut ways) = (Vec::new(), Vec::new());
         let (mut meetings, mut joined) = (Vec::new(), Vec::new());
-        for line in 0..count as u32 {
+        for (line, is_sharp) in (0u32..).zip(is_sharp) {
             pages.clear();
             ways.clear();
             for page in self.facets.pages(line) {
                 pages.try_push(page)?;
-            }
-            for &page in &pages {
                 ways.try_push(self.way_into(page, line))?;
             }
+            watch.poll_after(2 + (pages.len() * pages.len()) as u32)?;
             for at in 0..pages.len() {
                 for other in 0..at {
                     let [f, g] = [at, other].map(|at| self.facets.get(pages[at]).facet);
                     for end in self.segments.chains.lines[line as usize].ends {
-                        joined.try_push((f.min(g), f.max(g), Meeting::Vertex(end)))?;
+                        joined.try_push((end.number(), f.min(g), f.max(g)))?;
                     }
                     if cosine(&ways[at], &ways[other]) > SMALL_DIHEDRAL {
-                        is_sharp[line as usize] = true;
+                        *is_sharp = true;
                         meetings.try_push((f.min(g), f.max(g), Meeting::Line(line)))?;
                     }
                 }
             }
         }
+        let joined = sorted_in_buckets(&joined, |pair| pair.0, |work| watch.poll_after(work))?;
+        self.add_meetings_at_vertices(&joined, &mut meetings, watch)?;
+        Ok(meetings)
+    }
+
+    /// Adds the pairs of facets that meet at a vertex at a small angle, and at no line there.
+    /// `joined` has those that meet at one, each behind its vertex; sorted.
+    fn add_meetings_at_vertices(
+        &self,
+        joined: &[(u32, u32, u32)],
+        meetings: &mut Meetings,
+        watch: &mut Watch<'_, '_>,
+    ) -> Result<()> {
+        let count = self.delaunay.point_count();
+        let subfacets_at = self.facets.subfacets_at_vertices(count)?;
+        let (mut corners, mut rest) = (Vec::new(), joined);
+        for vertex in VertexId::below(count) {
+            let number = vertex.number();
+            let (joined_here, others) = rest.split_at(rest.partition_point(|own| own.0 <= number));
+            rest = others;
+            let subfacets = subfacets_at.of(vertex.index());
+            watch.poll_after(4 * (1 + subfacets.len() * subfacets.len()) as u32)?;
+            corners.clear();
+            for &subfacet in subfacets {
+                let facet = self.facets.get(subfacet).facet;
+                corners.try_push((facet, self.corner_at(vertex, subfacet)))?;
+            }
+            corners.sort_unstable_by_key(|(facet, _)| *facet);
+            if corners.len() > MOST_CORNERS {
+                continue;
+            }
+            let mut meet = |first: &[(u32, Corner)], second: &[(u32, Corner)]| {
+                let pair = (number, first[0].0, second[0].0);
+                let is_small = |(_, a): &(u32, Corner)| {
+                    second.iter().any(|(_, b)| cosine_between(a, b) > SMALL - ROUNDING)
+                };
+                if joined_here.binary_search(&pair).is_err() && first.iter().any(is_small) {
+                    meetings.try_push((pair.1, pair.2, Meeting::Vertex(vertex)))?;
+                }
+                AllocResult::Ok(())
+            };
+            let mut facets = corners.chunk_by(|a, b| a.0 == b.0);
+            while let Some(first) = facets.next() {
+                facets.clone().try_for_each(|second| meet(first, second))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Marks the lines that make a small angle with another one at a common end.
+    fn mark_sharp_fans(&self, is_sharp: &mut [bool], watch: &mut Watch<'_, '_>) -> Result<()> {
         for fan in self.segments.chains.fans() {
+            watch.poll_after((fan.len() * fan.len()) as u32)?;
             for (at, one) in fan.iter().enumerate() {
                 for other in &fan[..at] {
                     let lines = [one.line, other.line].map(|line| line as usize);
@@ -48,41 +128,6 @@ impl State<3> {
                     let Some((center, [u, v])) = first.corner_with(&second) else { continue };
                     if self.cosine_at(self.delaunay.point(center), u, v) > SMALL {
                         lines.into_iter().for_each(|line| is_sharp[line] = true);
-                    }
-                }
-            }
-        }
-        joined.sort_unstable();
-        self.find_meetings_at_vertices(&joined, &mut meetings)?;
-        let lines = self.segments.chains.lines.iter().zip(&is_sharp);
-        let ends = lines.filter(|&(_, &is_sharp)| is_sharp).flat_map(|(line, _)| line.ends);
-        let mut ends = collected(ends)?;
-        ends.sort_unstable();
-        ends.dedup();
-        self.facets.set_sharp(is_sharp, &ends, meetings)
-    }
-
-    /// Adds the pairs of facets that meet at an end of lines, and at no line there. `joined` has
-    /// those that meet at one.
-    fn find_meetings_at_vertices(
-        &self,
-        joined: &[(u32, u32, Meeting)],
-        meetings: &mut Vec<(u32, u32, Meeting)>,
-    ) -> AllocResult<()> {
-        let mut own = Vec::new();
-        for vertex in VertexId::below(self.delaunay.point_count()) {
-            own.clear();
-            own.try_extend(self.facets.facets_at(vertex))?;
-            own.sort_unstable();
-            own.dedup();
-            if own.len() > MOST_FACETS {
-                continue;
-            }
-            for at in 0..own.len() {
-                for other in 0..at {
-                    let pair = (own[other], own[at], Meeting::Vertex(vertex));
-                    if joined.binary_search(&pair).is_err() {
-                        meetings.try_push(pair)?;
                     }
                 }
             }

@@ -3,37 +3,40 @@
 //! stay.
 
 use crate::complex::VertexId;
-use crate::memory::{AllocResult, TryGrow};
+use crate::error::Result;
+use crate::memory::{AllocResult, TryGrow, collected};
 use crate::mesh::NONE;
 use crate::netmesh::questions::subfacets::OnSheet;
-use crate::netmesh::state::State;
+use crate::netmesh::state::{Mesher, State};
 
 /// An edge is flipped where the sine of [`diagonal`](State::diagonal) is below minus this: what
 /// roundings make of it for four vertices on a circle is far less.
 const ROUNDING: f64 = 1e-13;
 
-impl State<3> {
+impl Mesher<'_, '_, 3> {
     /// Flips edges until all sheets are Delaunay, notes how small their subfacets are, and queues
     /// all of these.
-    pub(in crate::netmesh) fn make_sheets_delaunay(&mut self) -> AllocResult<()> {
-        let mut waiting = Vec::new();
-        for subfacet in 0..self.facets.len() as u32 {
-            waiting.try_push(subfacet)?;
-        }
+    pub(in crate::netmesh) fn make_sheets_delaunay(&mut self) -> Result<()> {
+        let Self { state, watch, .. } = self;
+        let mut waiting = collected(0..state.facets.len() as u32)?;
         while let Some(subfacet) = waiting.pop() {
-            let flips = (0..3).find(|&edge| self.flips(subfacet, edge));
+            watch.poll_after(2)?;
+            let flips = (0..3).find(|&edge| state.flips(subfacet, edge));
             if let Some(edge) = flips {
-                waiting.try_extend(&self.facets.flip(subfacet, edge)?)?;
+                waiting.try_extend(&state.facets.flip(subfacet, edge)?)?;
             }
         }
-        for subfacet in 0..self.facets.len() as u32 {
-            let (_, radius) = self.circle_of(subfacet);
-            self.facets.note_first_radius(subfacet, radius);
-            self.facets.wait(subfacet, radius)?;
+        for subfacet in 0..state.facets.len() as u32 {
+            watch.poll_after(2)?;
+            let (_, radius) = state.circle_of(subfacet);
+            state.facets.note_first_radius(subfacet, radius);
+            state.facets.wait(subfacet, radius)?;
         }
         Ok(())
     }
+}
 
+impl State<3> {
     /// Returns true if an edge is an inner one that must be flipped.
     fn flips(&self, subfacet: u32, edge: usize) -> bool {
         if self.facets.get(subfacet).subsegments[edge] != NONE {

@@ -2,19 +2,23 @@
 
 use crate::complex::SimplexId;
 use crate::delaunay::Cavity;
+use crate::error::Result;
 use crate::memory::AllocResult;
-use crate::netmesh::state::State;
 use crate::netmesh::state::segments::SegmentState;
 use crate::netmesh::state::segments::walls::Walls;
+use crate::netmesh::state::{Mesher, State};
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Finds all regions. All of the boundary is recovered.
+    pub(in crate::netmesh) fn find_regions(&mut self) -> Result<()> {
+        let State { delaunay, segments, facets, .. } = &mut self.state;
+        let SegmentState { regions, chains, visited, .. } = segments;
+        let tick = |work| self.watch.poll_after(work);
+        regions.find(delaunay, Walls { chains, facets }, visited, tick)
+    }
+}
 
 impl<const D: usize> State<D> {
-    /// Finds all regions. All of the boundary is recovered.
-    pub(in crate::netmesh) fn find_regions(&mut self) -> AllocResult<()> {
-        let State { delaunay, segments, facets, .. } = self;
-        let SegmentState { regions, chains, visited, .. } = segments;
-        regions.find(delaunay, Walls { chains, facets }, visited)
-    }
-
     /// Collects the conflicts of `x` from `start` on, which is one of them: those in its region, if
     /// that is known, and of other regions the first ones, until there are `most`. Beyond a wall
     /// that `x` crosses there may be thousands, as long as nothing is refined there.

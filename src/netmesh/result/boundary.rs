@@ -7,12 +7,14 @@
 
 use crate::complex::{SimplexId, VertexId};
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::memory::{AllocResult, TryGrow, collected, copied, filled, with_capacity};
+use crate::memory::{Lists, TryGrow, collected, copied, filled, with_capacity};
 use crate::mesh::{Boundary, Boxed, NONE, Triangulation, VertexKind};
 use crate::netmesh::result::numbering::Numbering;
 use crate::netmesh::state::segments::At;
 use crate::netmesh::state::segments::walls::{Seen, Walls};
+use crate::netmesh::state::watch::Watch;
 use crate::netmesh::state::{Mesher, State};
+use crate::numerics::coordinates;
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Returns, for every simplex, true if it is outside of the domain; nothing for a mesh without
@@ -84,11 +86,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
             return Ok(());
         }
         let count = facets.len();
-        let mut order = collected(0..count as u32)?;
-        let parent = |subfacet: u32| facets.facets[facets.get(subfacet).facet as usize].parent;
-        order.sort_unstable_by_key(|&subfacet| {
-            (parent(subfacet), facets.get(subfacet).facet, subfacet)
-        });
+        let facet = |subfacet: u32| facets.get(subfacet).facet;
+        let by_facets = Lists::of_pairs(facets.facets.len(), || {
+            (0..count as u32).map(|subfacet| (facet(subfacet), subfacet))
+        })?;
+        // Facets stand in the order of the caller's.
+        debug_assert!(facets.facets.is_sorted_by_key(|facet| facet.parent));
         let mut simplices = filled(count, [NONE; 2])?;
         let complex = self.state.delaunay.complex();
         let chains = &self.state.segments.chains;
@@ -104,20 +107,27 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 simplices[subfacet as usize][side] = numbering.simplices[simplex];
             }
         }
-        let is_missing = |&subfacet: &u32| simplices[subfacet as usize] == [NONE; 2];
-        if let Some(missing) = (0..count as u32).find(is_missing) {
-            let corner = facets.get(missing).vertices[0];
+        let point = |vertex: VertexId| self.state.delaunay.point(vertex);
+        // Between vertices that are within roundings of a line a subfacet may have no area.
+        let is_lost = |&subfacet: &u32| {
+            let corners = facets.get(subfacet).vertices.map(|own| coordinates::<3>(point(own), 0));
+            simplices[subfacet as usize] == [NONE; 2]
+                || !facets.plane_of(subfacet).turn(corners).is_positive()
+        };
+        if let Some(lost) = (0..count as u32).find(is_lost) {
+            let corner = facets.get(lost).vertices[0];
             let message = message!(
                 "doubles have no room for a triangle of facets near {}, which other vertices are \
                  within roundings of",
-                At(self.state.delaunay.point(corner))
+                At(point(corner))
             );
             return Err(Error::new(ErrorKind::Limit, message));
         }
-        for subfacet in order {
+        for &subfacet in &by_facets.ids {
+            self.watch.poll_after(2)?;
             let vertices = facets.get(subfacet).vertices.map(|vertex| numbering.vertices[vertex]);
             boundary.subfacets.try_push(vertices)?;
-            boundary.subfacet_parents.try_push(parent(subfacet))?;
+            boundary.subfacet_parents.try_push(facets.facets[facet(subfacet) as usize].parent)?;
             boundary.subfacet_simplices.try_push(simplices[subfacet as usize])?;
         }
         self.add_flat(boundary, numbering)
@@ -176,61 +186,90 @@ impl<const D: usize> Mesher<'_, '_, D> {
 }
 
 /// Returns the part of `whole` that is the domain, with the whole of it if that is more.
-pub(super) fn crop(whole: Triangulation, numbering: &Numbering) -> AllocResult<Triangulation> {
+pub(super) fn crop(
+    whole: Triangulation,
+    numbering: &Numbering,
+    watch: &mut Watch<'_, '_>,
+) -> Result<Triangulation> {
     if numbering.inside_simplices == whole.simplex_count() {
         return Ok(whole);
     }
-    let mut result = part(&whole, numbering.inside_simplices, numbering.inside_vertices)?;
+    let mut result = part(&whole, numbering.inside_simplices, numbering.inside_vertices, watch)?;
     count_vertices(&mut result);
     result.boundary.whole = Some(Boxed::new(whole)?);
     Ok(result)
 }
 
 /// Returns the first simplices and vertices of `whole`.
-fn part(whole: &Triangulation, simplices: usize, vertices: usize) -> AllocResult<Triangulation> {
-    let per_simplex = whole.dim + 1;
+fn part(
+    whole: &Triangulation,
+    simplices: usize,
+    vertices: usize,
+    watch: &mut Watch<'_, '_>,
+) -> Result<Triangulation> {
+    let ids = simplices * (whole.dim + 1);
     let is_inside = |&simplex: &u32| (simplex as usize) < simplices;
     let inside_of = |all: &[u32]| collected(all.iter().copied().filter(is_inside));
-    let neighbors = whole.neighbors[..simplices * per_simplex].iter();
-    let all = &whole.boundary;
-    // A subsegment of which neither side is inside is no edge of the domain.
-    let inside = whole.simplices[..simplices * per_simplex].chunks_exact(per_simplex);
-    let is_edge = all.edges_of(vertices, inside)?;
-    let kept = || (0..is_edge.len()).filter(|&at| is_edge[at]);
     let number = |simplex: u32| if is_inside(&simplex) { simplex } else { NONE };
-    let is_side = |&at: &usize| all.subfacet_simplices[at].iter().any(is_inside);
-    let kept_facets = || (0..all.subfacets.len()).filter(is_side);
-    let boundary = Boundary {
-        subsegments: collected(kept().map(|at| all.subsegments[at]))?,
-        parents: collected(kept().map(|at| all.parents[at]))?,
-        subfacets: collected(kept_facets().map(|at| all.subfacets[at]))?,
-        subfacet_parents: collected(kept_facets().map(|at| all.subfacet_parents[at]))?,
-        subfacet_simplices: collected(
-            kept_facets().map(|at| all.subfacet_simplices[at].map(number)),
-        )?,
-        flat: inside_of(&all.flat)?,
-        simplex_regions: copied(&all.simplex_regions[..simplices])?,
-        forced: copied(&all.forced)?,
-        whole: None,
-    };
     Ok(Triangulation {
         dim: whole.dim,
-        points: copied(&whole.points[..vertices * whole.dim])?,
-        simplices: copied(&whole.simplices[..simplices * per_simplex])?,
-        neighbors: collected(neighbors.map(|id| if is_inside(id) { *id } else { NONE }))?,
-        kinds: copied(&whole.kinds[..vertices])?,
-        vertex_domains: copied(&whole.vertex_domains[..vertices])?,
-        cage_of: copied(&whole.cage_of[..vertices])?,
+        boundary: part_of_boundary(whole, simplices, vertices, watch)?,
+        points: watched(whole.points[..vertices * whole.dim].iter().copied(), watch)?,
+        simplices: watched(whole.simplices[..ids].iter().copied(), watch)?,
+        neighbors: watched(whole.neighbors[..ids].iter().map(|&id| number(id)), watch)?,
+        kinds: watched(whole.kinds[..vertices].iter().copied(), watch)?,
+        vertex_domains: watched(whole.vertex_domains[..vertices].iter().copied(), watch)?,
+        cage_of: watched(whole.cage_of[..vertices].iter().copied(), watch)?,
         domains: copied(&whole.domains)?,
-        precision_limited: copied(&whole.precision_limited[..vertices])?,
+        precision_limited: watched(whole.precision_limited[..vertices].iter().copied(), watch)?,
         below_min_dihedral: inside_of(&whole.below_min_dihedral)?,
         // Of a domain only radius-edge ratios have a bound, and so these are simplices.
         beyond_bound: inside_of(&whole.beyond_bound)?,
-        boundary,
         sizes: copied(&whole.sizes[..vertices.min(whole.sizes.len())])?,
         parameters: whole.parameters.clone(),
         stats: whole.stats.clone(),
     })
+}
+
+/// Returns the boundary of the first simplices and vertices of `whole`.
+fn part_of_boundary(
+    whole: &Triangulation,
+    simplices: usize,
+    vertices: usize,
+    watch: &mut Watch<'_, '_>,
+) -> Result<Boundary> {
+    let all = &whole.boundary;
+    let is_inside = |&simplex: &u32| (simplex as usize) < simplices;
+    let number = |simplex: u32| if is_inside(&simplex) { simplex } else { NONE };
+    // A subsegment of which neither side is inside is no edge of the domain.
+    let per_simplex = whole.dim + 1;
+    let inside = whole.simplices[..simplices * per_simplex].chunks_exact(per_simplex);
+    let is_edge = all.edges_of(vertices, inside, |work| watch.poll_after(work))?;
+    let kept = || (0..is_edge.len()).filter(|&at| is_edge[at]);
+    let is_side = |&at: &usize| all.subfacet_simplices[at].iter().any(is_inside);
+    let kept_facets = || (0..all.subfacets.len()).filter(is_side);
+    let sides = kept_facets().map(|at| all.subfacet_simplices[at].map(number));
+    Ok(Boundary {
+        subsegments: watched(kept().map(|at| all.subsegments[at]), watch)?,
+        parents: watched(kept().map(|at| all.parents[at]), watch)?,
+        subfacets: watched(kept_facets().map(|at| all.subfacets[at]), watch)?,
+        subfacet_parents: watched(kept_facets().map(|at| all.subfacet_parents[at]), watch)?,
+        subfacet_simplices: watched(sides, watch)?,
+        flat: collected(all.flat.iter().copied().filter(is_inside))?,
+        simplex_regions: watched(all.simplex_regions[..simplices].iter().copied(), watch)?,
+        forced: copied(&all.forced)?,
+        whole: None,
+    })
+}
+
+/// Returns the values of an iterator. The watch is polled meanwhile.
+fn watched<T>(values: impl Iterator<Item = T>, watch: &mut Watch<'_, '_>) -> Result<Vec<T>> {
+    let mut all = with_capacity(values.size_hint().0)?;
+    for value in values {
+        watch.poll_after(1)?;
+        all.try_push(value)?;
+    }
+    Ok(all)
 }
 
 fn count_vertices(triangulation: &mut Triangulation) {

@@ -8,12 +8,13 @@ use crate::netmesh::result::boundary::crop;
 use crate::netmesh::result::numbering::Numbering;
 use crate::netmesh::state::hierarchy::{DomainId, ROOT};
 use crate::netmesh::state::refine_list::RefineList;
+use crate::netmesh::state::watch::Watch;
 use crate::netmesh::state::workers::{PIECE, on_threads, pieces};
 use crate::netmesh::state::{Mesher, Scratch, State};
 use crate::options::{Algorithm, Phase};
 use std::time::Instant;
 
-impl<const D: usize> Mesher<'_, '_, D> {
+impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
     pub(in crate::netmesh) fn into_triangulation(
         mut self,
         begun: Instant,
@@ -66,10 +67,25 @@ impl<const D: usize> Mesher<'_, '_, D> {
             boundary,
             sizes,
             beyond_bound,
-            parameters: self.state.parameters,
-            stats: self.state.stats,
+            parameters: self.state.parameters.clone(),
+            stats: self.state.stats.clone(),
         };
-        Ok(crop(whole, &numbering)?)
+        crop(whole, &numbering, &mut self.freed()?)
+    }
+
+    /// Frees what is left of the run, a part at a time. Returns its watch.
+    fn freed(self) -> Result<Watch<'a, 'b>> {
+        let Self { state, mut watch, .. } = self;
+        let State { delaunay, hierarchy, conflict_lists, segments, facets, .. } = state;
+        drop(delaunay);
+        watch.poll()?;
+        drop((hierarchy, conflict_lists));
+        watch.poll()?;
+        drop(segments);
+        watch.poll()?;
+        drop(facets);
+        watch.poll()?;
+        Ok(watch)
     }
 
     /// Frees what the result is not made from, a piece at a time: giving memory back to the system

@@ -3,7 +3,7 @@
 use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
-use crate::memory::{AllocResult, TryGrow, filled, with_capacity};
+use crate::memory::{TryGrow, filled, with_capacity};
 use crate::mesh::{Arrangement, Subsegment};
 use crate::netmesh::state::Mesher;
 use crate::netmesh::state::segments::chain::{Chains, Line};
@@ -19,10 +19,11 @@ impl Mesher<'_, '_, 2> {
         self.begin_to_conform(arrangement, &[], cavity)?;
         let lines = self.lines_of(arrangement, cavity)?;
         self.cage_clusters(&lines, cavity)?;
-        self.state.segments.chains = Chains::new(lines, self.state.delaunay.point_count())?;
+        let count = self.state.delaunay.point_count();
+        self.state.segments.chains = Chains::new(lines, count, &mut self.watch)?;
         self.state.find_sharp_ends()?;
         self.recover_boundary(cavity)?;
-        self.state.find_regions()?;
+        self.find_regions()?;
         self.judge_regions(&arrangement.regions)
     }
 
@@ -58,9 +59,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Returns the vertex of each distinct input.
-    pub(in crate::netmesh) fn vertices_of_inputs(&self) -> AllocResult<Vec<VertexId>> {
+    pub(in crate::netmesh) fn vertices_of_inputs(&mut self) -> Result<Vec<VertexId>> {
         let mut vertices = filled(self.state.inputs, VertexId::NONE)?;
         for (vertex, &input) in self.order.iter().enumerate() {
+            self.watch.poll_after(1)?;
             vertices[input.index()] = VertexId::new(vertex);
         }
         Ok(vertices)

@@ -83,7 +83,7 @@ pub(super) fn split(
         let needles = needles(points, task, &on)?;
         let is_whole = pieces.faults.iter().all(has_no_area) && needles.is_empty();
         if corners.all.is_empty() && corners.areas.are_tiled() && is_whole {
-            if !is_sound(points, task, &pieces, &owners, &on)? {
+            if !is_sound(points, task, &pieces, &owners, &on, poll)? {
                 return Ok(None);
             }
             leave_to_first(points, &mut pieces, &corners.areas.pairs)?;

@@ -7,8 +7,10 @@ use super::super::pieces::{Piece, Pieces};
 use super::super::plane::{Gauge, from_line, units_of};
 use super::super::sides::Sides;
 use super::owners::Owners;
+use crate::arrangement::poll::Poll;
 use crate::arrangement::reach::Reach;
-use crate::memory::{AllocResult, TryGrow, collected};
+use crate::error::Result;
+use crate::memory::{TryGrow, collected};
 use crate::mesh::Feature;
 use crate::numerics::distance;
 
@@ -28,7 +30,8 @@ pub(super) fn is_sound(
     pieces: &Pieces,
     owners: &Owners,
     on: &Isolated,
-) -> AllocResult<bool> {
+    poll: Poll<'_>,
+) -> Result<bool> {
     let is_straight = |(edge, vertex): ([u32; 2], u32)| {
         let reach = Reach::of(edge.map(|end| &points[end as usize]));
         owners.edges().binary_search(&edge).is_err()
@@ -42,7 +45,7 @@ pub(super) fn is_sound(
             let is_whole = is_wider_than_bends(points, task, on, facet)
                 && own.iter().all(|piece| piece.triangle().is_some())
                 && is_flat(points, task, facet, own)
-                && ends_at_its_edges(task, on, facet, own)?;
+                && ends_at_its_edges(task, on, facet, own, poll)?;
             if !is_whole {
                 return Ok(false);
             }
@@ -108,9 +111,10 @@ fn ends_at_its_edges(
     on: &Isolated,
     facet: u32,
     own: &[Piece],
-) -> AllocResult<bool> {
+    poll: Poll<'_>,
+) -> Result<bool> {
     let triangles = collected(own.iter().filter_map(Piece::triangle))?;
-    let sides = Sides::of_triangles(&triangles)?;
+    let sides = Sides::of_triangles(&triangles, poll)?;
     let rim = collected(sides.groups().filter(|group| group.len() == 1).map(|one| one[0].ends))?;
     let mut expected: Vec<[u32; 2]> = Vec::new();
     let vertex = |input: u32| task.inputs.vertices()[input as usize];

@@ -67,8 +67,13 @@ impl Faces {
         self.of.get(&Face::new(vertices)).copied()
     }
 
+    /// Reserves memory for so many more subfacets.
+    pub fn reserve(&mut self, more: usize) -> AllocResult<()> {
+        self.of.try_reserve(more).map_err(AllocError::from)
+    }
+
     pub fn insert(&mut self, vertices: &[VertexId; 3], subfacet: u32) -> AllocResult<()> {
-        self.of.try_reserve(1).map_err(AllocError::from)?;
+        self.reserve(1)?;
         self.of.insert(Face::new(vertices), subfacet);
         Ok(())
     }

@@ -11,12 +11,16 @@ pub(in crate::netmesh) mod plane;
 pub(in crate::netmesh) mod sheet;
 
 use crate::complex::{SimplexId, VertexId};
-use crate::memory::{AllocError, AllocResult, Array, Lists, TryGrow, collected, filled};
+use crate::error::Result;
+use crate::memory::{
+    AllocError, AllocResult, Array, Lists, TryGrow, filled, sorted_in_buckets, with_capacity,
+};
 use crate::mesh::NONE;
 use crate::netmesh::state::facets::faces::Faces;
 use crate::netmesh::state::facets::floors::Floors;
 use crate::netmesh::state::facets::plane::Plane;
 use crate::netmesh::state::segments::chain::Chains;
+use crate::netmesh::state::watch::Watch;
 use std::collections::BinaryHeap;
 
 /// The sheets, and the subfacets that wait for a look.
@@ -158,44 +162,48 @@ impl Facets {
         triangles: &[([VertexId; 3], u32)],
         chains: &Chains,
         vertices: usize,
-    ) -> AllocResult<Self> {
+        watch: &mut Watch<'_, '_>,
+    ) -> Result<Self> {
         let mut sheets = Self { facets, ..Self::default() };
         sheets.holds = Array::filled(vertices, false)?;
         sheets.pages = filled(chains.len(), NONE)?;
-        sheets.subfacets = collected(triangles.iter().map(|&(vertices, facet)| Subfacet {
-            vertices,
-            neighbors: [NONE; 3],
-            subsegments: [NONE; 3],
-            facet,
-            wall: NONE,
-            is_waiting: false,
-            is_limited: false,
-        }))?;
-        for (number, &(vertices, _)) in (0..).zip(triangles) {
+        sheets.subfacets = with_capacity(triangles.len())?;
+        sheets.faces.reserve(triangles.len())?;
+        for (number, &(vertices, facet)) in (0..).zip(triangles) {
+            watch.poll_after(2)?;
+            sheets.subfacets.push(Subfacet {
+                vertices,
+                neighbors: [NONE; 3],
+                subsegments: [NONE; 3],
+                facet,
+                wall: NONE,
+                is_waiting: false,
+                is_limited: false,
+            });
             vertices.iter().for_each(|&vertex| sheets.holds[vertex] = true);
             sheets.faces.insert(&vertices, number)?;
         }
-        sheets.join_edges(chains)?;
+        sheets.join_edges(chains, watch)?;
         sheets.at_first = Some(sheets.at_vertices(vertices)?);
-        sheets.find_walls(balances)?;
+        sheets.find_walls(balances, watch)?;
         Ok(sheets)
     }
 
     /// Finds what is beyond the edges of all subfacets.
-    fn join_edges(&mut self, chains: &Chains) -> AllocResult<()> {
-        let mut sides: Vec<Side> = Vec::new();
+    fn join_edges(&mut self, chains: &Chains, watch: &mut Watch<'_, '_>) -> Result<()> {
+        let mut sides: Vec<Side> = with_capacity(3 * self.subfacets.len())?;
         for (number, subfacet) in (0u32..).zip(&self.subfacets) {
+            watch.poll_after(1)?;
             for edge in 0..3 {
                 let [a, b] = subfacet.ends(edge);
-                sides.try_push((a.min(b), a.max(b), number, edge as u8))?;
+                sides.push((a.min(b), a.max(b), number, edge as u8));
             }
         }
-        sides.sort_unstable();
-        let mut rest = &sides[..];
-        while let Some(&(a, b, ..)) = rest.first() {
-            let count = rest.iter().take_while(|side| (side.0, side.1) == (a, b)).count();
-            let (own, others) = rest.split_at(count);
-            rest = others;
+        let sides =
+            sorted_in_buckets(&sides, |side| side.0.number(), |work| watch.poll_after(work))?;
+        for own in sides.chunk_by(|one, other| (one.0, one.1) == (other.0, other.1)) {
+            watch.poll_after(1)?;
+            let (a, b, ..) = own[0];
             match chains.edge_between(a, b) {
                 Some(subsegment) => self.make_pages(own, subsegment),
                 None => self.join_neighbors(own),
@@ -242,7 +250,8 @@ impl Facets {
         self.meets.get(facet as usize).copied().unwrap_or(false)
     }
 
-    /// Sets which lines are sharp, and where facets meet at small angles.
+    /// Sets which lines are sharp, and where facets meet at small angles: pairs as in `meetings`,
+    /// sorted, some of them several times.
     pub fn set_sharp(
         &mut self,
         is_sharp: Vec<bool>,
@@ -262,7 +271,6 @@ impl Facets {
             })
         };
         self.sharp_ends = Some(Lists::of_pairs(self.facets.len(), sharp)?);
-        meetings.sort_unstable();
         meetings.dedup();
         self.meets = filled(self.facets.len(), false)?;
         for &(f, g, _) in &meetings {
@@ -317,7 +325,7 @@ impl Facets {
     }
 
     /// Finds which subfacets are connected without crossing a subsegment.
-    fn find_walls(&mut self, balances: &[i64]) -> AllocResult<()> {
+    fn find_walls(&mut self, balances: &[i64], watch: &mut Watch<'_, '_>) -> Result<()> {
         let mut reached = Vec::new();
         for first in 0..self.subfacets.len() as u32 {
             let Subfacet { facet, wall, .. } = self.subfacets[first as usize];
@@ -329,6 +337,7 @@ impl Facets {
             self.subfacets[first as usize].wall = wall;
             reached.try_push(first)?;
             while let Some(subfacet) = reached.pop() {
+                watch.poll_after(1)?;
                 let Subfacet { neighbors, subsegments, .. } = self.subfacets[subfacet as usize];
                 for (neighbor, subsegment) in neighbors.into_iter().zip(subsegments) {
                     if subsegment == NONE && self.subfacets[neighbor as usize].wall == NONE {
@@ -461,6 +470,13 @@ impl Facets {
     pub fn at_vertices(&self, count: usize) -> AllocResult<Lists> {
         let of = |own: &Subfacet| own.vertices.map(|vertex| (vertex.number(), own.facet));
         Lists::of_pairs(count, || self.subfacets.iter().flat_map(of))
+    }
+
+    /// Returns the subfacets at each vertex.
+    pub fn subfacets_at_vertices(&self, count: usize) -> AllocResult<Lists> {
+        let of =
+            |(number, own): (u32, &Subfacet)| own.vertices.map(|vertex| (vertex.number(), number));
+        Lists::of_pairs(count, || (0u32..).zip(&self.subfacets).flat_map(of))
     }
 
     /// Returns true if a vertex was there before any line or facet was split.

@@ -4,7 +4,9 @@
 //! points where segments cross. It is a chain of subsegments from its first end to its second.
 
 use crate::complex::VertexId;
-use crate::memory::{AllocResult, Array, TryGrow, collected, enqueue, filled};
+use crate::error::Result;
+use crate::memory::{AllocError, AllocResult, Array, TryGrow, enqueue, filled, with_capacity};
+use crate::netmesh::state::watch::Watch;
 use std::collections::VecDeque;
 
 /// The chains, and the subsegments that wait for a look.
@@ -119,26 +121,30 @@ impl Fraction {
 
 impl Chains {
     /// Makes one subsegment for each line, all of them waiting. No two lines have the same ends.
-    pub fn new(lines: Vec<Line>, vertices: usize) -> AllocResult<Self> {
+    pub fn new(lines: Vec<Line>, vertices: usize, watch: &mut Watch<'_, '_>) -> Result<Self> {
         let mut chains =
             Self { places: Array::filled(vertices, OnChain::Elsewhere)?, ..Self::default() };
-        chains.subsegments = collected((0..).zip(&lines).map(|(line, &Line { ends, .. })| {
+        chains.subsegments = with_capacity(lines.len())?;
+        chains.waiting.try_reserve(lines.len()).map_err(AllocError::from)?;
+        for (line, &Line { ends, .. }) in (0..).zip(&lines) {
+            watch.poll_after(1)?;
             let fractions = Fraction::ENDS;
-            Subsegment { ends, fractions, line, is_waiting: true, is_limited: false }
-        }))?;
-        for number in 0..lines.len() {
-            enqueue(&mut chains.waiting, number as u32)?;
+            let subsegment =
+                Subsegment { ends, fractions, line, is_waiting: true, is_limited: false };
+            chains.subsegments.push(subsegment);
+            enqueue(&mut chains.waiting, line)?;
         }
         chains.lines = lines;
-        chains.collect_ends(vertices)?;
+        chains.collect_ends(vertices, watch)?;
         Ok(chains)
     }
 
     /// Finds which lines are at which ends.
-    fn collect_ends(&mut self, vertices: usize) -> AllocResult<()> {
+    fn collect_ends(&mut self, vertices: usize, watch: &mut Watch<'_, '_>) -> Result<()> {
         // Vertex -> how many lines end there, then where the next one of them goes.
         let mut next = filled(vertices, 0u32)?;
         self.lines.iter().flat_map(|line| line.ends).for_each(|end| next[end] += 1);
+        watch.poll()?;
         let mut start = 0;
         for vertex in VertexId::below(vertices) {
             if next[vertex] == 0 {
@@ -152,12 +158,14 @@ impl Chains {
         let none = AtEnd { other: VertexId::NONE, line: 0, is_split: false };
         self.at_ends = filled(start as usize, none)?;
         for (line, &Line { ends, .. }) in (0..).zip(&self.lines) {
+            watch.poll_after(1)?;
             for (end, other) in [(ends[0], ends[1]), (ends[1], ends[0])] {
                 self.at_ends[next[end] as usize] = AtEnd { other, line, is_split: false };
                 next[end] += 1;
             }
         }
         for range in self.starts.windows(2) {
+            watch.poll_after(1)?;
             let own = &mut self.at_ends[range[0] as usize..range[1] as usize];
             own.sort_unstable_by_key(|at_end| at_end.other);
         }
@@ -405,7 +413,7 @@ mod tests {
             let ends = [vertex(a), vertex(b)];
             Line { ends, segment: 0, is_sharp: [false; 2], balance: 1 }
         };
-        Chains::new(vec![line(0, 1), line(2, 0), line(1, 2)], 4).unwrap()
+        Chains::new(vec![line(0, 1), line(2, 0), line(1, 2)], 4, &mut Watch::new(None)).unwrap()
     }
 
     #[test]

@@ -5,8 +5,12 @@
 
 use crate::complex::{Complex, SimplexId};
 use crate::delaunay::{Cavity, Delaunay};
-use crate::memory::{AllocResult, Array, TryGrow};
+use crate::error::Result;
+use crate::memory::{AllocError, AllocResult, Array, TryGrow};
 use crate::netmesh::state::segments::walls::Walls;
+
+/// Number of a watch's units of work for one simplex.
+const WORK: u32 = 1;
 
 /// No region is known.
 const UNKNOWN: u32 = u32::MAX;
@@ -48,13 +52,15 @@ impl Regions {
     }
 
     /// Finds all regions. All subsegments are recovered. O(simplices). They are numbered from
-    /// outside on in the order of their first simplices.
+    /// outside on in the order of their first simplices. `tick` is told of the work, and may end
+    /// it.
     pub fn find<const D: usize>(
         &mut self,
         delaunay: &Delaunay<D>,
         walls: Walls<'_>,
         found: &mut Vec<SimplexId>,
-    ) -> AllocResult<()> {
+        mut tick: impl FnMut(u32) -> Result<()>,
+    ) -> Result<()> {
         let complex = delaunay.complex();
         self.of.clear();
         self.of.cover(complex.simplex_bound(), UNKNOWN)?;
@@ -69,25 +75,28 @@ impl Regions {
             if complex.is_live(first) && self.of[first] == UNKNOWN {
                 let region = self.is_inside.len() as u32;
                 self.is_inside.try_push(true)?;
-                self.spread(first, region, complex, walls, found)?;
+                self.spread(first, region, complex, walls, found, &mut tick)?;
             }
         }
         Ok(())
     }
 
-    /// Gives all simplices the region that are connected with `first` and have none.
-    fn spread<const D: usize>(
+    /// Gives all simplices the region that are connected with `first` and have none. `tick` is told
+    /// of the work, and may end it.
+    fn spread<const D: usize, E: From<AllocError>>(
         &mut self,
         first: SimplexId,
         region: u32,
         complex: &Complex<D>,
         walls: Walls<'_>,
         found: &mut Vec<SimplexId>,
-    ) -> AllocResult<()> {
+        mut tick: impl FnMut(u32) -> std::result::Result<(), E>,
+    ) -> std::result::Result<(), E> {
         self.of[first] = region;
         found.clear();
         found.try_push(first)?;
         while let Some(simplex) = found.pop() {
+            tick(WORK)?;
             let (vertices, neighbors) = (complex.vertices(simplex), complex.neighbors(simplex));
             let sides = walls.of(vertices);
             for (index, &beyond) in neighbors.iter().enumerate() {
@@ -139,7 +148,7 @@ impl Regions {
             }
         }
         debug_assert!(region != UNKNOWN, "a region has a wall or a simplex that is known");
-        self.spread(simplex, region, complex, walls, found)?;
+        self.spread(simplex, region, complex, walls, found, |_| AllocResult::Ok(()))?;
         Ok(region)
     }
 

@@ -1,7 +1,9 @@
 //! Small angles of the input, and features that are near each other.
 
+use super::crossings::run;
 use super::{Point, Solid, assert_holds, assert_none_excused, bounded, cuboid, volume};
 use netmesh::{Extent, Mesh, Options};
+use std::collections::BTreeMap;
 
 /// Returns the prism over a triangle with the given angle, in degrees.
 fn wedge(degrees: f64) -> Solid {
@@ -108,6 +110,44 @@ fn facets_that_meet_at_a_vertex_have_the_angle_that_they_have_there() {
     mesh.run(&Options { extent: Extent::Box, ..bounded(2.0) }, None).unwrap();
     assert_holds(&mesh);
     assert_none_excused(mesh.result().unwrap());
+}
+
+/// Returns an octahedron of which all triangles were divided into four so many times, with all
+/// vertices on a sphere.
+fn round_body(times: u32) -> (Vec<Point>, Vec<[u32; 3]>) {
+    let (x, y, z) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
+    let mut points: Vec<Point> = [x, y, z].into_iter().flat_map(|x| [x, x.map(|x| -x)]).collect();
+    let mut triangles: Vec<[u32; 3]> = Vec::new();
+    for [i, j, k] in [[0, 2, 4], [1, 3, 4], [1, 2, 5], [0, 3, 5]] {
+        triangles.extend([[i, j, k], [i ^ 1, k, j]]);
+    }
+    for _ in 0..times {
+        let mut middles = BTreeMap::new();
+        let mut middle = |a: u32, b: u32| {
+            *middles.entry([a.min(b), a.max(b)]).or_insert_with(|| {
+                let [a, b] = [a, b].map(|end| points[end as usize]);
+                let sum: Point = std::array::from_fn(|k| a[k] + b[k]);
+                let length = sum.iter().map(|x| x * x).sum::<f64>().sqrt();
+                points.push(sum.map(|x| x / length));
+                points.len() as u32 - 1
+            })
+        };
+        let divided = triangles.iter().flat_map(|&[a, b, c]| {
+            let [d, e, f] = [middle(a, b), middle(b, c), middle(c, a)];
+            [[a, d, f], [d, b, e], [f, e, c], [d, e, f]]
+        });
+        triangles = divided.collect();
+    }
+    (points, triangles)
+}
+
+/// The triangles of round bodies have angles of some 60 degrees, which force nothing.
+#[test]
+fn round_bodies_keep_the_bound() {
+    let (points, triangles) = round_body(4);
+    let mesh = run(&points, &triangles, &bounded(2.0));
+    assert_none_excused(&mesh);
+    assert!(mesh.vertex_count() < points.len() * 5 / 4, "{} vertices", mesh.vertex_count());
 }
 
 /// Roundings of a plane that is no axis' are some 1e-7 of the smallest gap.

@@ -5,7 +5,7 @@ use super::corner_angles::{Corner, cosine_between};
 use crate::complex::VertexId;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected, filled, sorted_in_buckets};
-use crate::netmesh::questions::small_angles::{SMALL, SMALL_DIHEDRAL, cosine};
+use crate::netmesh::questions::small_angles::{SMALL, SMALL_DIHEDRAL, TINY, cosine};
 use crate::netmesh::state::facets::Meeting;
 use crate::netmesh::state::watch::Watch;
 use crate::netmesh::state::{Mesher, State};
@@ -20,12 +20,17 @@ const ROUNDING: f64 = 1e-9;
 /// Pairs of facets, the lower first, and where they meet.
 type Meetings = Vec<(u32, u32, Meeting)>;
 
+/// End of a line, and a pair of facets that meet at the line, the lower first.
+type Joined = (u32, u32, u32);
+
 impl Mesher<'_, '_, 3> {
     /// Marks lines and facets at small angles. No line is split.
     pub(super) fn find_sharp_lines(&mut self) -> Result<()> {
         let Self { state, watch, .. } = self;
         let mut is_sharp = filled(state.segments.chains.lines.len(), false)?;
-        let meetings = state.meetings_at_lines(&mut is_sharp, watch)?;
+        let (mut meetings, joined) = state.meetings_at_lines(&mut is_sharp, watch)?;
+        let has_tiny_angle = state.add_meetings_at_vertices(&joined, &mut meetings, watch)?;
+        state.facets.set_tiny_angles(has_tiny_angle);
         state.mark_sharp_fans(&mut is_sharp, watch)?;
         let lines = state.segments.chains.lines.iter().zip(&is_sharp);
         let ends = lines.filter(|&(_, &is_sharp)| is_sharp).flat_map(|(line, _)| line.ends);
@@ -39,12 +44,12 @@ impl Mesher<'_, '_, 3> {
 
 impl State<3> {
     /// Marks the lines at which facets meet at small angles. Returns the pairs of facets that meet
-    /// there, or at a vertex.
+    /// there, and those that meet at any line, each behind an end of it; sorted.
     fn meetings_at_lines(
         &self,
         is_sharp: &mut [bool],
         watch: &mut Watch<'_, '_>,
-    ) -> Result<Meetings> {
+    ) -> Result<(Meetings, Vec<Joined>)> {
         let (mut pages, mut ways) = (Vec::new(), Vec::new());
         let (mut meetings, mut joined) = (Vec::new(), Vec::new());
         for (line, is_sharp) in (0u32..).zip(is_sharp) {
@@ -69,19 +74,20 @@ impl State<3> {
             }
         }
         let joined = sorted_in_buckets(&joined, |pair| pair.0, |work| watch.poll_after(work))?;
-        self.add_meetings_at_vertices(&joined, &mut meetings, watch)?;
-        Ok(meetings)
+        Ok((meetings, joined))
     }
 
     /// Adds the pairs of facets that meet at a vertex at a small angle, and at no line there.
-    /// `joined` has those that meet at one, each behind its vertex; sorted.
+    /// `joined` has those that meet at one. Returns for each vertex true if two facets meet there,
+    /// and at no line, at a tiny angle.
     fn add_meetings_at_vertices(
         &self,
-        joined: &[(u32, u32, u32)],
+        joined: &[Joined],
         meetings: &mut Meetings,
         watch: &mut Watch<'_, '_>,
-    ) -> Result<()> {
+    ) -> Result<Vec<bool>> {
         let count = self.delaunay.point_count();
+        let mut has_tiny_angle = filled(count, false)?;
         let subfacets_at = self.facets.subfacets_at_vertices(count)?;
         let (mut corners, mut rest) = (Vec::new(), joined);
         for vertex in VertexId::below(count) {
@@ -101,20 +107,23 @@ impl State<3> {
             }
             let mut meet = |first: &[(u32, Corner)], second: &[(u32, Corner)]| {
                 let pair = (number, first[0].0, second[0].0);
-                let is_small = |(_, a): &(u32, Corner)| {
-                    second.iter().any(|(_, b)| cosine_between(a, b) > SMALL - ROUNDING)
-                };
-                if joined_here.binary_search(&pair).is_err() && first.iter().any(is_small) {
-                    meetings.try_push((pair.1, pair.2, Meeting::Vertex(vertex)))?;
+                if joined_here.binary_search(&pair).is_ok() {
+                    return AllocResult::Ok(());
                 }
-                AllocResult::Ok(())
+                let pairs = first.iter().flat_map(|(_, a)| second.iter().map(move |(_, b)| (a, b)));
+                let cosine = pairs.map(|(a, b)| cosine_between(a, b)).fold(-1.0, f64::max);
+                has_tiny_angle[vertex] |= cosine > TINY;
+                match cosine > SMALL - ROUNDING {
+                    true => meetings.try_push((pair.1, pair.2, Meeting::Vertex(vertex))),
+                    false => Ok(()),
+                }
             };
             let mut facets = corners.chunk_by(|a, b| a.0 == b.0);
             while let Some(first) = facets.next() {
                 facets.clone().try_for_each(|second| meet(first, second))?;
             }
         }
-        Ok(())
+        Ok(has_tiny_angle)
     }
 
     /// Marks the lines that make a small angle with another one at a common end.

@@ -13,7 +13,27 @@ use crate::numerics::{distance, norm, shortest_distance};
 pub(in crate::netmesh) const SMALL: f64 = 0.5;
 
 /// Cosine of angles so small that all simplices between what meets at them are forced.
-const TINY: f64 = 0.9659;
+pub(in crate::netmesh) const TINY: f64 = 0.9659;
+
+/// Largest cosines of the angles at which two vertices may be seen that no angle of the input
+/// excuses.
+#[derive(Clone, Copy)]
+struct Largest {
+    /// From a vertex where their facets or segments meet.
+    at_vertex: f64,
+    /// From such a vertex where any facets meet at a tiny angle.
+    at_tiny: f64,
+    /// From a line where their facets meet.
+    at_line: f64,
+}
+
+const ALL: Largest = Largest { at_vertex: SMALL, at_tiny: SMALL, at_line: SMALL_DIHEDRAL };
+
+/// Refinement goes on down to 30 and 60 degrees, less than the theory asks for, but at vertices
+/// where it would not end soon.
+const REFINED: Largest = Largest { at_vertex: 0.866, at_tiny: SMALL, at_line: 0.5 };
+
+const ALL_TINY: Largest = Largest { at_vertex: TINY, at_tiny: TINY, at_line: TINY };
 
 /// Largest cosine of dihedral angles that are not small.
 pub(in crate::netmesh) const SMALL_DIHEDRAL: f64 = 0.1736;
@@ -29,8 +49,7 @@ impl State<3> {
         }
         let points: [&[f64; 3]; 4] = std::array::from_fn(|at| self.delaunay.point(vertices[at]));
         let (a, b, _) = shortest_distance(&points);
-        let small = [SMALL, SMALL_DIHEDRAL];
-        if self.spans_small_angle([vertices[a], vertices[b]], small) {
+        if self.spans_small_angle([vertices[a], vertices[b]], REFINED) {
             return true;
         }
         let is_near = |&&vertex: &&VertexId| {
@@ -42,7 +61,7 @@ impl State<3> {
         }
         EDGES.iter().any(|&[i, j]| {
             let edge = [vertices[i], vertices[j]];
-            self.spans_small_angle(edge, [TINY; 2])
+            self.spans_small_angle(edge, ALL_TINY)
         })
     }
 
@@ -52,26 +71,25 @@ impl State<3> {
         let vertices = self.delaunay.complex().vertices(simplex);
         EDGES.iter().any(|&[i, j]| {
             let edge = [vertices[i], vertices[j]];
-            self.spans_small_angle(edge, [SMALL, SMALL_DIHEDRAL])
+            self.spans_small_angle(edge, ALL)
         })
     }
 
     /// Returns true if two vertices are on facets or segments that meet at a small angle, and on
     /// none that has both.
-    fn spans_small_angle(&self, [u, v]: [VertexId; 2], small: [f64; 2]) -> bool {
+    fn spans_small_angle(&self, [u, v]: [VertexId; 2], largest: Largest) -> bool {
         let chains = &self.segments.chains;
         if let (Some(first), Some(second)) = (chains.line_through(u), chains.line_through(v)) {
             let [first, second] = [first, second].map(|line| chains.lines[line as usize]);
             if let Some((center, _)) = first.corner_with(&second) {
-                let center = self.delaunay.point(center);
-                return self.cosine_at(center, u, v) > small[0];
+                return self.see_small_angle(center, [u, v], largest);
             }
         }
         let is_on = |vertex, facet| self.facets_of(vertex).any(|other| other == facet);
         let may = |&facet: &u32| self.facets.meets_any(facet);
         self.facets_of(u).filter(may).filter(|&f| !is_on(v, f)).any(|f| {
             let mut others = self.facets_of(v).filter(may).filter(|&g| !is_on(u, g));
-            others.any(|g| self.meet_at_small_angle(f, g, [u, v], small))
+            others.any(|g| self.meet_at_small_angle(f, g, [u, v], largest))
         })
     }
 
@@ -88,14 +106,24 @@ impl State<3> {
     }
 
     /// Returns true if two facets meet where two of their vertices are seen at a small angle.
-    fn meet_at_small_angle(&self, f: u32, g: u32, [u, v]: [VertexId; 2], small: [f64; 2]) -> bool {
+    fn meet_at_small_angle(&self, f: u32, g: u32, [u, v]: [VertexId; 2], largest: Largest) -> bool {
         self.facets.meetings(f, g).iter().any(|&(.., at)| match at {
             Meeting::Line(line) => {
                 let ends = self.segments.chains.lines[line as usize].ends;
-                self.cosine_at(&self.foot(ends, u, v), u, v) > small[1]
+                self.cosine_at(&self.foot(ends, u, v), u, v) > largest.at_line
             }
-            Meeting::Vertex(vertex) => self.cosine_at(self.delaunay.point(vertex), u, v) > small[0],
+            Meeting::Vertex(vertex) => self.see_small_angle(vertex, [u, v], largest),
         })
+    }
+
+    /// Returns true if two vertices are seen at a small angle from one where their facets or
+    /// segments meet.
+    fn see_small_angle(&self, from: VertexId, [u, v]: [VertexId; 2], largest: Largest) -> bool {
+        let most = match self.facets.has_tiny_angle(from) {
+            true => largest.at_tiny,
+            false => largest.at_vertex,
+        };
+        self.cosine_at(self.delaunay.point(from), u, v) > most
     }
 
     /// Returns the point of a line that is nearest to the middle of two vertices.

@@ -46,6 +46,8 @@ pub(in crate::netmesh) struct Facets {
     first_meetings: Vec<usize>,
     /// Facet -> true if it is in one of these pairs.
     meets: Vec<bool>,
+    /// First vertices -> true if two facets meet there, and at no line, at an angle of some degrees.
+    has_tiny_angle: Vec<bool>,
     /// Line -> true if facets or segments meet there at a small angle.
     is_sharp: Vec<bool>,
     /// Facet -> true if it has such a line.
@@ -286,6 +288,17 @@ impl Facets {
         }
         (self.is_sharp, self.meetings) = (is_sharp, meetings);
         Ok(())
+    }
+
+    /// Notes for each of the first vertices whether facets meet at a tiny angle there.
+    pub fn set_tiny_angles(&mut self, has_tiny_angle: Vec<bool>) {
+        self.has_tiny_angle = has_tiny_angle;
+    }
+
+    /// Returns true if two facets meet at a vertex, and at no line there, at an angle of some
+    /// degrees.
+    pub fn has_tiny_angle(&self, vertex: VertexId) -> bool {
+        self.has_tiny_angle.get(vertex.index()).copied().unwrap_or(false)
     }
 
     /// Returns true if facets or segments meet at a small angle at a line.

@@ -464,6 +464,18 @@ void holes() {
     expect_failure(__LINE__, NM_INVALID_ARGUMENT, "max_edges", mesh.try_close_holes(2));
 }
 
+// A side that is not plane becomes triangles.
+void bent_sides() {
+    std::vector<double> points(cube.begin(), cube.end());
+    points[18] += 0.1;
+    netmesh::mesh mesh(3, points);
+    mesh.set_facets({sides.begin(), sides.end()});
+    expect_error(__LINE__, NM_INVALID_ARGUMENT, "plane", [&] { mesh.run(); });
+    CHECK_EQUAL(mesh.triangulate_facets(), 6u);
+    mesh.run();
+    CHECK(mesh.counts().simplices > 0);
+}
+
 // A corner that was written twice, with other roundings, is one.
 void corners() {
     std::vector<double> points(cube.begin(), cube.end());
@@ -526,6 +538,7 @@ int main(int count, char** arguments) {
     facets_in_need();
     facets();
     holes();
+    bent_sides();
     corners();
     return check::result("cpp_wrapper");
 }

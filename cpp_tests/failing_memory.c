@@ -340,6 +340,7 @@ static int use_facets(const struct job *job, nm_mesh *mesh) {
          export(mesh, NM_FORMAT_VTU) && export(mesh, NM_FORMAT_TETGEN_NODE) &&
          export(mesh, NM_FORMAT_MEDIT) && export(mesh, NM_FORMAT_GMSH) &&
          export(mesh, NM_FORMAT_PLY) && export(mesh, NM_FORMAT_STL) &&
+         succeeded(nm_mesh_triangulate_facets(mesh, NULL), "polygons as triangles") &&
          succeeded(nm_mesh_set_triangles(mesh, 11, triangles, markers), "triangles with a hole") &&
          succeeded(nm_mesh_close_holes(mesh, 3, NULL), "a hole") &&
          run_within(mesh, NM_EXTENT_ALL, NM_INTERIOR_SEEDS, NM_CROSSINGS_REFUSE) && measure(mesh);

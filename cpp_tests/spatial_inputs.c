@@ -285,6 +285,26 @@ static void holes_are_closed(void) {
     nm_mesh_free(mesh);
 }
 
+/* A polygon that is not plane is refused, and meshed as triangles. */
+static void polygons_become_triangles(void) {
+    static const double points[] = {0, 0, 0, 2, 0, 0, 2, 2, 0.5, 0, 2, 0, 1, 1, 2};
+    static const uint32_t inputs[] = {0, 3, 2, 1, 0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4};
+    static const uint64_t loops[] = {0, 1, 2, 3, 4, 5}, starts[] = {0, 4, 7, 10, 13, 16};
+    nm_mesh *mesh = NULL;
+    uint64_t polygons = 9;
+    nm_counts counts = NM_COUNTS_INIT;
+    REQUIRE(nm_mesh_create(3, 5, points, 0, &mesh) == NM_OK);
+    REQUIRE(nm_mesh_set_facets(mesh, 5, loops, starts, inputs, NULL) == NM_OK);
+    REQUIRE(nm_run(mesh, NULL) == NM_INVALID_ARGUMENT);
+    REQUIRE(nm_mesh_triangulate_facets(mesh, &polygons) == NM_OK && polygons == 5);
+    REQUIRE(nm_mesh_triangulate_facets(mesh, &polygons) == NM_OK && polygons == 0);
+    REQUIRE(nm_mesh_triangulate_facets(mesh, NULL) == NM_OK);
+    REQUIRE(nm_mesh_triangulate_facets(NULL, &polygons) == NM_NULL_ARGUMENT);
+    REQUIRE(nm_run(mesh, NULL) == NM_OK);
+    REQUIRE(nm_mesh_counts(mesh, &counts) == NM_OK && counts.simplices > 0);
+    nm_mesh_free(mesh);
+}
+
 /* A corner that is there twice, some roundings apart, becomes one. */
 static void corners_are_merged(void) {
     double points[] = {0, 0, 0, 1, 0, 0, 1e-17, 0, 3e-33, 0, 1, 0};
@@ -326,6 +346,7 @@ static void odd_edges_are_told(void) {
 int main(void) {
     nm_mesh *mesh;
     holes_are_closed();
+    polygons_become_triangles();
     corners_are_merged();
     crossings_are_told();
     odd_edges_are_told();

@@ -3389,6 +3389,27 @@ nm_status nm_mesh_close_holes(struct nm_mesh *mesh,
                               struct nm_closed_holes *closed);
 
 /**
+ * Replaces the polygons that the mesh was given last (nm_mesh_set_facets, a file) by triangles
+ * between their inputs, as nm_mesh_set_triangles sets them: for polygons that are not plane, which
+ * nm_run refuses. 3D only. The result of a run stays as it is until the next.
+ *
+ * A triangle has the marker of its polygon, and is turned as that is. The view of a polygon along
+ * an axis decides which triangles it becomes. Triangles in one plane are one facet of a mesh again,
+ * as those of any surface (coplanar in nm_options). Triangles that were given as such stay.
+ *
+ * polygons: NULL, or gets the number of polygons that have become triangles; 0 if triangles were
+ * given, or no facets.
+ *
+ * Errors: NM_NULL_ARGUMENT (mesh), NM_INVALID_ARGUMENT (a mesh that is not 3D; a polygon that
+ * meets itself, has no area, or has segments within), NM_CAPACITY (more triangles than
+ * nm_mesh_set_triangles takes), NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh, or it
+ * is poisoned). After an error the facets are as they were.
+ *
+ * O(n log n) for n inputs of polygons. Before nm_run and after.
+ */
+NM_NODISCARD NM_API nm_status nm_mesh_triangulate_facets(struct nm_mesh *mesh, uint64_t *polygons);
+
+/**
  * Writes all pairs of the facets and segments that the mesh was given last (nm_mesh_set_facets,
  * nm_mesh_set_triangles, nm_mesh_set_segments) that meet in more than vertices and edges that they
  * share, each with the kind of the intersection and a point of it; a facet that meets itself or

@@ -36,9 +36,9 @@ pub(crate) mod delaunay;
 
 pub use error::{Error, ErrorKind, Result};
 pub use mesh::{
-    Arrangement, Attribute, Diagnosis, Domain, EdgeFault, Facets, Feature, HoleFilling, Inputs,
-    Intersection, IntersectionKind, LeftOut, Mesh, NONE, Region, Segments, Stats, Subsegment,
-    Triangulation, VertexKind,
+    Arrangement, Attribute, Diagnosis, Domain, EdgeFault, FacetTriangulation, Facets, Feature,
+    HoleFilling, Inputs, Intersection, IntersectionKind, LeftOut, Mesh, NONE, Region, Segments,
+    Stats, Subsegment, Triangulation, VertexKind,
 };
 pub use nearest::merge_points;
 pub use options::{

@@ -19,7 +19,7 @@ pub use boxed::Boxed;
 pub use diagnosis::{Diagnosis, EdgeFault, OddEdge};
 pub(crate) use facets::check_starts;
 pub use facets::{ArrangedFacet, FacetTriangle, Facets};
-pub use holes::HoleFilling;
+pub use holes::{FacetTriangulation, HoleFilling};
 pub use inputs::Inputs;
 pub use intersection::{Feature, Intersection, IntersectionKind};
 pub use left_out::LeftOut;

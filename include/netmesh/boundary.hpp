@@ -85,6 +85,17 @@ public:
                                                      markers.empty() ? nullptr : markers.data()));
     }
 
+    // Replaces the polygons of the facets by triangles between their inputs, for those that are not
+    // plane. Returns the number of polygons.
+    result<std::uint64_t> try_triangulate_facets() {
+        std::uint64_t polygons = 0;
+        result<void> done = outcome(nm_mesh_triangulate_facets(handle_, &polygons));
+        if (!done) {
+            return failure{done.status(), done.message()};
+        }
+        return polygons;
+    }
+
     // Closes holes of the facets that have at most max_edges edges by triangles, which become the
     // last facets.
     result<nm_closed_holes> try_close_holes(std::uint32_t max_edges) {
@@ -165,6 +176,7 @@ public:
     void set_triangles(span<const std::uint32_t> inputs, span<const std::int32_t> markers = {}) {
         try_set_triangles(inputs, markers).value();
     }
+    std::uint64_t triangulate_facets() { return try_triangulate_facets().value(); }
     nm_closed_holes close_holes(std::uint32_t max_edges) { return try_close_holes(max_edges).value(); }
     void set_regions(span<const nm_region> regions) { try_set_regions(regions).value(); }
     table<std::uint32_t> segments() const { return try_segments().value(); }

@@ -22,7 +22,7 @@ from ._errors import (
     OutOfMemoryError,
     StateError,
 )
-from ._facets import close_holes, intersections, merge_points, odd_edges
+from ._facets import close_holes, intersections, merge_points, odd_edges, triangulate_facets
 from ._filtration import Filtration
 from ._interpolator import LinearNDInterpolator
 from ._mesh import Mesh, mesh
@@ -85,6 +85,7 @@ __all__ = [
     "merge_points",
     "mesh",
     "odd_edges",
+    "triangulate_facets",
 ]
 
 # Users see the exceptions where they import them from.

@@ -16,6 +16,7 @@ from ._netmesh import close_holes as _close_holes
 from ._netmesh import intersections as _intersections
 from ._netmesh import merge_points as _merge_points
 from ._netmesh import odd_edges as _odd_edges
+from ._netmesh import triangulate_facets as _triangulate_facets
 from ._results import Intersection, OddEdge
 
 #: Rule that refused facets break.
@@ -228,6 +229,44 @@ def close_holes(points: Any, facets: Any = None, max_edges: int = 100) -> np.nda
         raise InvalidArgumentError(f"max_edges is {max_edges!r}; it must be a whole number from 3 to 1000")
     found = _close_holes(rows, boundary, int(max_edges))
     return np.fromiter(itertools.chain.from_iterable(found), np.int32).reshape(-1, 3)
+
+
+def triangulate_facets(points: Any, facets: Any = None) -> tuple[np.ndarray, np.ndarray]:
+    """Find the triangles that polygons consist of.
+
+    For polygons that are not plane, which `mesh` refuses. The view of a polygon along an axis decides
+    which triangles between its points it becomes.
+
+    Parameters
+    ----------
+    points : array_like of float, shape (n, 3), or a surface
+    facets : optional
+        Triangles, polygons or lists of loops, as those of `mesh`.
+
+    Returns
+    -------
+    triangles : ndarray of int32, shape (triangles, 3)
+        Numbers of points, turned as the polygons are.
+    parents : ndarray of int32, shape (triangles,)
+        The number of the facet that each is of: `markers[parents]` are their markers.
+
+    Raises
+    ------
+    InvalidArgumentError
+        If a polygon meets itself, has no area, or has segments within.
+
+    Examples
+    --------
+    >>> import netmesh
+    >>> points = [[0, 0, 0], [2, 0, 0], [2, 2, 0.5], [0, 2, 0]]
+    >>> triangles, parents = netmesh.triangulate_facets(points, [[0, 1, 2, 3]])
+    >>> len(triangles), parents.tolist()
+    (2, [0, 0])
+    """
+    rows, boundary = _points_and_boundary(points, facets, None)
+    triangles, parents = _triangulate_facets(rows, boundary)
+    numbers_of_points = itertools.chain.from_iterable(triangles)
+    return np.fromiter(numbers_of_points, np.int32).reshape(-1, 3), np.fromiter(parents, np.int32)
 
 
 def merge_points(points: Any, ratio: float = 1e-9) -> np.ndarray:

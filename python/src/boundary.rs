@@ -114,6 +114,19 @@ pub fn close_holes(
     Ok(found.triangles)
 }
 
+/// Returns the triangles that facets consist of, three inputs each, and the facet of each.
+#[pyfunction]
+pub fn triangulate_facets(
+    py: Python<'_>,
+    points: PyReadonlyArray2<'_, f64>,
+    boundary: Boundary<'_>,
+) -> PyResult<(Vec<[u32; 3]>, Vec<u32>)> {
+    let mut mesh = mesh_of(py, &points)?;
+    set_boundary(py, &mut mesh, &boundary)?;
+    let found = abandonable(py, move || mesh.facet_triangulation())?;
+    Ok((found.triangles, found.parents))
+}
+
 /// Returns coordinates with near points made equal, row by row, and how many were moved.
 #[pyfunction]
 pub fn merge_points(

@@ -20,7 +20,9 @@ mod voronoi;
 #[pyo3::pymodule]
 mod _netmesh {
     #[pymodule_export]
-    use crate::boundary::{close_holes, intersections, merge_points, odd_edges};
+    use crate::boundary::{
+        close_holes, intersections, merge_points, odd_edges, triangulate_facets,
+    };
     #[pymodule_export]
     use crate::core::Core;
     #[pymodule_export]

@@ -124,6 +124,23 @@ def test_holes_are_closed():
     assert len(netmesh.close_holes(CUBE)) == 0
 
 
+def test_polygons_become_triangles():
+    bent = np.array(CUBE, float)
+    bent[6] += [0.1, 0.2, 0.3]
+    with pytest.raises(netmesh.InvalidArgumentError, match="is not plane"):
+        netmesh.mesh(bent, facets=SIDES)
+    triangles, parents = netmesh.triangulate_facets(bent, SIDES)
+    assert triangles.shape == (12, 3) and triangles.dtype == parents.dtype == np.int32
+    assert parents.tolist() == [side for side in range(6) for _ in range(2)]
+    assert all(set(triangle) <= set(SIDES[parent]) for triangle, parent in zip(triangles, parents))
+    assert netmesh.mesh(bent, facets=triangles).volumes.sum() > 1
+    same, own = netmesh.triangulate_facets(SimpleNamespace(vertices=CUBE, faces=TRIANGLES))
+    assert same.tolist() == [list(triangle) for triangle in TRIANGLES] and own.tolist() == list(range(12))
+    assert [len(found) for found in netmesh.triangulate_facets(CUBE)] == [0, 0]
+    with pytest.raises(netmesh.InvalidArgumentError, match="dimension 2; polygons of facets are for 3D"):
+        netmesh.triangulate_facets([[0, 0], [1, 0], [0, 1]])
+
+
 def test_sizes_from_curvature_are_chords():
     angles = 2 * np.pi * np.arange(24) / 24
     rings = [np.column_stack([np.cos(angles), np.sin(angles), np.full(24, z)]) for z in (0.0, 2.0)]

@@ -63,6 +63,8 @@ mod facets;
 
 mod holes;
 
+mod triangulation;
+
 mod diagnosis;
 
 mod measures;
@@ -129,6 +131,7 @@ pub use topology::{
     nm_export_filtration, nm_mesh_filtration, nm_mesh_filtration_factor, nm_mesh_get_coface_starts,
     nm_mesh_get_cofaces, nm_mesh_get_face_facets, nm_mesh_get_faces, nm_mesh_make_filtration,
 };
+pub use triangulation::nm_mesh_triangulate_facets;
 pub use version::{nm_abi_version, nm_status_name, nm_version};
 pub use voronoi::{
     nm_mesh_get_region_shares, nm_mesh_get_region_starts, nm_mesh_get_region_volumes,

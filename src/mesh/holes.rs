@@ -1,4 +1,4 @@
-//! Holes of surfaces, and what closes them.
+//! Triangles that facets consist of, and those that close their holes.
 
 /// Triangles that close holes of a surface.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -11,4 +11,13 @@ pub struct HoleFilling {
     pub holes: usize,
     /// Number of edges at which the surface stays open.
     pub open_edges: usize,
+}
+
+/// Triangles that facets consist of, between the caller's inputs.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct FacetTriangulation {
+    /// Three inputs for each triangle, facet by facet.
+    pub triangles: Vec<[u32; 3]>,
+    /// Triangle -> its facet.
+    pub parents: Vec<u32>,
 }

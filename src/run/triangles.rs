@@ -1,8 +1,9 @@
 //! Polygons that a mesh was given as triangles, without a run.
 
 use crate::arrangement::space::triangulate;
-use crate::error::Result;
-use crate::mesh::{Facets, Mesh};
+use crate::error::{Error, Result, message};
+use crate::memory::collected;
+use crate::mesh::{FacetTriangulation, Facets, Mesh};
 
 impl Mesh {
     /// Replaces the polygons that the mesh was given in space by triangles between their inputs,
@@ -13,18 +14,39 @@ impl Mesh {
     /// n) for n inputs of the polygons.
     ///
     /// # Errors
-    /// `InvalidArgument` (a polygon that meets itself, has no area or has segments within),
-    /// `Capacity`, `OutOfMemory`.
+    /// `InvalidArgument` (a mesh that is not in space; a polygon that meets itself, has no area or
+    /// has segments within), `Capacity`, `OutOfMemory`.
     pub fn triangulate_facets(&mut self) -> Result<usize> {
         let given = self.given_facets();
         let polygons = given.count();
         if given.are_triangles || polygons == 0 {
+            self.check_in_space()?;
             return Ok(0);
         }
-        let found = triangulate(self.inputs(), given, &mut |_| Ok(()))?;
-        let corners = found.triangles.as_flattened();
-        let facets = Facets::of_triangles(self.inputs(), corners, Some(&found.markers))?;
+        let found = self.facet_triangulation()?;
+        let markers = found.parents.iter().map(|&parent| given.markers[parent as usize]);
+        let (corners, markers) = (found.triangles.as_flattened(), collected(markers)?);
+        let facets = Facets::of_triangles(self.inputs(), corners, Some(&markers))?;
         self.replace_facets(facets);
         Ok(polygons)
+    }
+
+    /// Returns the triangles that the facets consist of, as [`Mesh::triangulate_facets`] makes
+    /// them, which stay as they are. O(n log n) for n inputs of the facets.
+    ///
+    /// # Errors
+    /// Fails as [`Mesh::triangulate_facets`] does.
+    pub fn facet_triangulation(&self) -> Result<FacetTriangulation> {
+        self.check_in_space()?;
+        triangulate(self.inputs(), self.given_facets(), &mut |_| Ok(()))
+    }
+
+    fn check_in_space(&self) -> Result<()> {
+        match self.inputs().dim() {
+            3 => Ok(()),
+            dim => Err(Error::invalid(message!(
+                "the mesh has dimension {dim}; polygons of facets are for 3D"
+            ))),
+        }
     }
 }

@@ -270,6 +270,20 @@ fn boxes_and_hulls_may_have_any_exponent() {
     }
 }
 
+/// Sides that are bent by less than counts at their longest edge may be bent by all that they are
+/// high.
+#[test]
+fn hulls_of_points_of_several_scales_are_plane() {
+    let points = [
+        [-5e250, 3e-243, 1e-274],
+        [-8e-175, -1.07e140, -2e-106],
+        [1e-153, 1e-4, 2.75e141],
+        [-1e11, -1.27e140, 0.0],
+        [0.0; 3],
+    ];
+    run(&points, &within(Extent::Hull, f64::INFINITY));
+}
+
 /// Facets of the caller's within, on, and ending at the boundary.
 #[test]
 fn facets_of_the_caller_are_parts() {

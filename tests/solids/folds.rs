@@ -72,6 +72,20 @@ fn sides_that_are_folded_are_walls_once() {
     }
 }
 
+/// Holds that two triangles which run through their edge in one direction, and so lie on each other
+/// there, are two facets.
+#[test]
+fn triangles_that_lie_on_each_other_at_their_edge_are_two() {
+    let points = [[0.0, 0.0, 0.0], [0.0, 0.0, 1.0], [1.0, 1.0, 1.0], [1.0, 1.0, 0.125]];
+    for points in [turned(&points), points.to_vec()] {
+        for bound in [f64::INFINITY, 2.0] {
+            let made = run(&points, &[[0, 1, 2], [1, 2, 3]], &split(Extent::All, bound));
+            let parents = &made.boundary.subfacet_parents;
+            assert!(parents.contains(&0) && parents.contains(&1), "{parents:?}");
+        }
+    }
+}
+
 /// Holds that what is left of a facet that is bent a little, and shares most of its area with
 /// another, is in the plane of the whole.
 #[test]

@@ -107,8 +107,9 @@ impl<'a> Pairs<'a> {
     }
 }
 
-/// Returns the pairs of some of the caller's triangles that share an edge which no third one has,
-/// sorted: where surfaces overlap, only these are known to be neighbours. O(n log n).
+/// Returns the pairs of some of the caller's triangles that run in opposite directions through an
+/// edge which no third one has, sorted: where surfaces overlap, only these are known to be
+/// neighbours. O(n log n).
 fn neighbors_among(task: &TaskInSpace<'_>, kept: &[u32], poll: Poll<'_>) -> Result<Vec<[u32; 2]>> {
     let vertices = |&triangle: &u32| {
         let own = &task.facets.inputs[3 * triangle as usize..][..3];
@@ -117,7 +118,8 @@ fn neighbors_among(task: &TaskInSpace<'_>, kept: &[u32], poll: Poll<'_>) -> Resu
     let triangles = collected(kept.iter().map(vertices))?;
     let mut pairs = Vec::new();
     for group in Sides::of_triangles(&triangles, poll)?.groups() {
-        if let [one, other] = group {
+        let &[one, other] = group else { continue };
+        if one.runs_up(&triangles) != other.runs_up(&triangles) {
             // Kept triangles are in order, and so are the sides of an edge.
             pairs.try_push([one, other].map(|side| kept[side.triangle as usize]))?;
         }

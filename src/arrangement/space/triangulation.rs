@@ -5,17 +5,8 @@ use super::{as_given, points_of};
 use crate::arrangement::poll::Poll;
 use crate::error::{Error, Result};
 use crate::memory::TryGrow;
-use crate::mesh::{Facets, Inputs, Segments};
+use crate::mesh::{FacetTriangulation, Facets, Inputs, Segments};
 use crate::options::Crossings;
-
-/// Triangles that facets consist of, between the caller's inputs.
-#[derive(Debug, Default, PartialEq, Eq)]
-pub struct FacetTriangulation {
-    /// Three inputs for each triangle, facet by facet.
-    pub triangles: Vec<[u32; 3]>,
-    /// Triangle -> the marker of its facet.
-    pub markers: Vec<i32>,
-}
 
 /// Returns the triangles that facets consist of, seen along an axis. O(n log n) for n inputs of the
 /// facets.
@@ -38,7 +29,7 @@ pub fn triangulate(inputs: &Inputs, facets: &Facets, poll: Poll<'_>) -> Result<F
         let (Some(triangle), Some(facet)) = (piece.triangle(), piece.facet()) else { continue };
         let input = |vertex: u32| inputs.first_input(vertex as usize).unwrap_or(vertex);
         found.triangles.try_push(triangle.map(input))?;
-        found.markers.try_push(facets.markers[facet as usize])?;
+        found.parents.try_push(facet)?;
     }
     Ok(found)
 }

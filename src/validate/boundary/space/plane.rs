@@ -152,14 +152,20 @@ pub(super) fn check_side(facet: &Facet, ways: &Ways<'_>, findings: &mut Findings
     let Slab { low, high } = Slab::of(&facet.normal, points.clone());
     let mut excess = high;
     excess.add(&low, true);
-    for (axis, component) in facet.normal.iter().enumerate() {
+    let ranges = [0, 1, 2].map(|axis| {
         let over =
             |of: fn(f64, f64) -> f64, first: f64| points.clone().map(|x| x[axis]).fold(first, of);
-        let (least, most) = (over(f64::min, f64::INFINITY), over(f64::max, f64::NEG_INFINITY));
+        [over(f64::min, f64::INFINITY), over(f64::max, f64::NEG_INFINITY)]
+    });
+    // Bends are angles: a side that is long on one axis is bent by more on the others.
+    let half = |[least, most]: &[f64; 2]| 0.5 * most - 0.5 * least;
+    let longest = ranges.iter().max_by(|a, b| half(a).total_cmp(&half(b)));
+    let [first, last] = longest.copied().unwrap_or_default();
+    for (component, [least, most]) in facet.normal.iter().zip(ranges) {
         let unit = unit_in_last_place(least.abs().max(most.abs()));
         excess.add_product(&[-component.abs(), 4.0 * BENT, unit]);
-        excess.add_product(&[-component.abs(), BENDS, most]);
-        excess.add_product(&[component.abs(), BENDS, least]);
+        excess.add_product(&[-component.abs(), BENDS, last]);
+        excess.add_product(&[component.abs(), BENDS, first]);
     }
     findings.check(excess.sign() != Ordering::Greater, || {
         let corner = facet.corners.first().copied().unwrap_or(0);

@@ -232,6 +232,7 @@ fn is_documented(error: &Error, options: &Options, meet: bool) -> bool {
                 || message.starts_with("regions[0].seed is in no region: ")
                 || message.ends_with("; the domain must not be empty")
                 || message.contains("quality_bound is inf")
+                || message.ends_with("; it needs facets; the mesh has none")
         }
         ErrorKind::DegenerateInput => matches!(options.extent, Extent::Hull | Extent::Box),
         kind => kind == ErrorKind::Limit,

@@ -3394,8 +3394,8 @@ nm_status nm_mesh_close_holes(struct nm_mesh *mesh,
  * nm_run refuses. 3D only. The result of a run stays as it is until the next.
  *
  * A triangle has the marker of its polygon, and is turned as that is. The view of a polygon along
- * an axis decides which triangles it becomes. Triangles in one plane are one facet of a mesh again,
- * as those of any surface (coplanar in nm_options). Triangles that were given as such stay.
+ * an axis decides which triangles it becomes. Triangles in one plane are one facet of a mesh, as
+ * those of any surface are (coplanar in nm_options). Triangles that were given as such stay.
  *
  * polygons: NULL, or gets the number of polygons that have become triangles; 0 if triangles were
  * given, or no facets.

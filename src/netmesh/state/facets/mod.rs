@@ -46,7 +46,8 @@ pub(in crate::netmesh) struct Facets {
     first_meetings: Vec<usize>,
     /// Facet -> true if it is in one of these pairs.
     meets: Vec<bool>,
-    /// First vertices -> true if two facets meet there, and at no line, at an angle of some degrees.
+    /// First vertices -> true if two facets meet there, and at no line, at an angle of some
+    /// degrees.
     has_tiny_angle: Vec<bool>,
     /// Line -> true if facets or segments meet there at a small angle.
     is_sharp: Vec<bool>,

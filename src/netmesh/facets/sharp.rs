@@ -95,6 +95,9 @@ impl State<3> {
             let (joined_here, others) = rest.split_at(rest.partition_point(|own| own.0 <= number));
             rest = others;
             let subfacets = subfacets_at.of(vertex.index());
+            if subfacets.len() > MOST_CORNERS {
+                continue;
+            }
             watch.poll_after(4 * (1 + subfacets.len() * subfacets.len()) as u32)?;
             corners.clear();
             for &subfacet in subfacets {
@@ -102,9 +105,6 @@ impl State<3> {
                 corners.try_push((facet, self.corner_at(vertex, subfacet)))?;
             }
             corners.sort_unstable_by_key(|(facet, _)| *facet);
-            if corners.len() > MOST_CORNERS {
-                continue;
-            }
             let mut meet = |first: &[(u32, Corner)], second: &[(u32, Corner)]| {
                 let pair = (number, first[0].0, second[0].0);
                 if joined_here.binary_search(&pair).is_ok() {

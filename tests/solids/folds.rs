@@ -114,6 +114,25 @@ fn needles_no_wider_than_roundings_are_left_out() {
     assert!(!made.boundary.subfacet_parents.contains(&17), "the needle has no subfacet");
 }
 
+/// Holds that such a triangle has nothing to keep where no other has its edges, be it there once or
+/// several times: as one without an area.
+#[test]
+fn needles_that_nobody_shares_have_nothing_to_keep() {
+    let unit = 2f64.powi(-48);
+    let steps = [[0, 0, 0], [0, 0, 896], [112, 80, 16_777_216], [49_152, -335_544_320, 4_096]];
+    let points = steps.map(|steps| steps.map(|step| 1.0 + f64::from(step) * unit));
+    let (needle, turned, other) = ([1, 0, 2], [0, 2, 1], [2, 1, 3]);
+    for extent in [Extent::All, Extent::Box] {
+        for triangles in [&[needle][..], &[needle, turned], &[needle, other], &[other, needle]] {
+            let made = run(&points, triangles, &split(extent, f64::INFINITY));
+            let parents = &made.boundary.subfacet_parents;
+            let kept = (0..).zip(triangles).filter(|(_, own)| **own == other);
+            let missing = kept.filter(|(number, _)| !parents.contains(number)).count();
+            assert_eq!(missing, 0, "a triangle that is wider");
+        }
+    }
+}
+
 /// Holds that such a triangle is refused, with its place, where it has to stay: between vertices
 /// that are rounded to its edges it has no area.
 #[test]

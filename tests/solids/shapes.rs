@@ -1,9 +1,11 @@
 //! Shapes whose volumes are known.
 
+use super::crossings;
 use super::{Point, Solid, assert_holds, assert_none_excused, bounded, cuboid, tilted, volume};
 use crate::random::Random;
 use netmesh::options::{Extent, Interior, Options};
 use netmesh::{Mesh, NONE, Region};
+use std::collections::BTreeSet;
 
 #[test]
 fn a_cube_needs_no_vertex_of_its_own() {
@@ -30,6 +32,26 @@ fn boxes_at_any_place_and_scale_keep_the_bound() {
         // Volumes of the smallest scale are no normal numbers.
         assert!(scale < 1e-80 || (volume(&mesh) / whole - 1.0).abs() < 1e-12);
         assert_none_excused(&mesh);
+    }
+}
+
+/// Holds that boxes of some units in the last place are what they are: there, rounding explains no
+/// gap, and no edge is bent.
+#[test]
+fn boxes_of_a_few_units_are_boxes() {
+    let far = 2f64.powi(52);
+    let place =
+        |steps: [i32; 3], unit: f64, origin: f64| steps.map(|step| origin + f64::from(step) * unit);
+    for (unit, origin) in [(1.0, far), (f64::from_bits(1), 0.0), (1.0, 0.0)] {
+        let at = |steps| place(steps, unit, origin);
+        let (mut points, mut triangles) = crossings::cuboid([at([3, -1, -1]), at([6, 3, 3])], 0);
+        let (more, others) = crossings::cuboid([at([-1, 3, 0]), at([0, 4, 1])], 8);
+        points.extend(more);
+        triangles.extend(others);
+        let mesh = crossings::run(&points, &triangles, &bounded(f64::INFINITY));
+        assert_eq!((mesh.vertex_count(), mesh.boundary.subsegments.len()), (16, 24));
+        let sides: BTreeSet<u32> = mesh.boundary.subfacet_parents.iter().copied().collect();
+        assert_eq!(sides.len(), 12, "two triangles of a side are one facet");
     }
 }
 

@@ -6,7 +6,7 @@ use crate::complex::VertexId;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected, filled, sorted_in_buckets};
 use crate::netmesh::questions::small_angles::{SMALL, SMALL_DIHEDRAL, TINY, cosine};
-use crate::netmesh::state::facets::Meeting;
+use crate::netmesh::state::facets::meetings::{Meeting, Meetings};
 use crate::netmesh::state::watch::Watch;
 use crate::netmesh::state::{Mesher, State};
 use crate::numerics::foot_on_line;
@@ -17,28 +17,34 @@ const MOST_CORNERS: usize = 1000;
 /// Roundings of a cosine.
 const ROUNDING: f64 = 1e-9;
 
-/// Pairs of facets, the lower first, and where they meet.
-type Meetings = Vec<(u32, u32, Meeting)>;
+/// Pairs of facets, each either way round, and where they meet.
+type Met = Vec<(u32, u32, Meeting)>;
 
 /// End of a line, and a pair of facets that meet at the line, the lower first.
 type Joined = (u32, u32, u32);
+
+/// Adds a pair of facets that meet at a place.
+fn add_either_way(met: &mut Met, [f, g]: [u32; 2], at: Meeting) -> AllocResult<()> {
+    met.try_push((f, g, at))?;
+    met.try_push((g, f, at))
+}
 
 impl Mesher<'_, '_, 3> {
     /// Marks lines and facets at small angles. No line is split.
     pub(super) fn find_sharp_lines(&mut self) -> Result<()> {
         let Self { state, watch, .. } = self;
         let mut is_sharp = filled(state.segments.chains.lines.len(), false)?;
-        let (mut meetings, joined) = state.meetings_at_lines(&mut is_sharp, watch)?;
-        let has_tiny_angle = state.add_meetings_at_vertices(&joined, &mut meetings, watch)?;
-        state.facets.set_tiny_angles(has_tiny_angle);
+        let (mut met, joined) = state.meetings_at_lines(&mut is_sharp, watch)?;
+        let has_tiny_angle = state.add_meetings_at_vertices(&joined, &mut met, watch)?;
         state.mark_sharp_fans(&mut is_sharp, watch)?;
         let lines = state.segments.chains.lines.iter().zip(&is_sharp);
         let ends = lines.filter(|&(_, &is_sharp)| is_sharp).flat_map(|(line, _)| line.ends);
         let mut ends = collected(ends)?;
         ends.sort_unstable();
         ends.dedup();
-        let meetings = sorted_in_buckets(&meetings, |pair| pair.0, |work| watch.poll_after(work))?;
-        Ok(state.facets.set_sharp(is_sharp, &ends, meetings)?)
+        let met = sorted_in_buckets(&met, |pair| pair.0, |work| watch.poll_after(work))?;
+        state.facets.meetings = Meetings::new(state.facets.facets.len(), met, has_tiny_angle)?;
+        Ok(state.facets.set_sharp(is_sharp, &ends)?)
     }
 }
 
@@ -49,9 +55,9 @@ impl State<3> {
         &self,
         is_sharp: &mut [bool],
         watch: &mut Watch<'_, '_>,
-    ) -> Result<(Meetings, Vec<Joined>)> {
+    ) -> Result<(Met, Vec<Joined>)> {
         let (mut pages, mut ways) = (Vec::new(), Vec::new());
-        let (mut meetings, mut joined) = (Vec::new(), Vec::new());
+        let (mut met, mut joined) = (Vec::new(), Vec::new());
         for (line, is_sharp) in (0u32..).zip(is_sharp) {
             pages.clear();
             ways.clear();
@@ -68,13 +74,13 @@ impl State<3> {
                     }
                     if cosine(&ways[at], &ways[other]) > SMALL_DIHEDRAL {
                         *is_sharp = true;
-                        meetings.try_push((f.min(g), f.max(g), Meeting::Line(line)))?;
+                        add_either_way(&mut met, [f, g], Meeting::Line(line))?;
                     }
                 }
             }
         }
         let joined = sorted_in_buckets(&joined, |pair| pair.0, |work| watch.poll_after(work))?;
-        Ok((meetings, joined))
+        Ok((met, joined))
     }
 
     /// Adds the pairs of facets that meet at a vertex at a small angle, and at no line there.
@@ -83,7 +89,7 @@ impl State<3> {
     fn add_meetings_at_vertices(
         &self,
         joined: &[Joined],
-        meetings: &mut Meetings,
+        met: &mut Met,
         watch: &mut Watch<'_, '_>,
     ) -> Result<Vec<bool>> {
         let count = self.delaunay.point_count();
@@ -114,7 +120,7 @@ impl State<3> {
                 let cosine = pairs.map(|(a, b)| cosine_between(a, b)).fold(-1.0, f64::max);
                 has_tiny_angle[vertex] |= cosine > TINY;
                 match cosine > SMALL - ROUNDING {
-                    true => meetings.try_push((pair.1, pair.2, Meeting::Vertex(vertex))),
+                    true => add_either_way(met, [pair.1, pair.2], Meeting::Vertex(vertex)),
                     false => Ok(()),
                 }
             };

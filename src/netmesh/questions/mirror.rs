@@ -13,7 +13,7 @@ use crate::complex::{SimplexId, VertexId};
 use crate::memory::AllocResult;
 use crate::netmesh::questions::subfacets::OnSheet;
 use crate::netmesh::state::State;
-use crate::netmesh::state::facets::Meeting;
+use crate::netmesh::state::facets::meetings::Meeting;
 use crate::netmesh::state::facets::plane::Plane;
 use crate::numerics::{distance, foot_on_line, norm, orientation};
 
@@ -168,7 +168,7 @@ impl State<3> {
     /// one.
     fn meeting_with(&self, vertex: VertexId, facet: u32) -> Option<Meeting> {
         let own = self.facets_of(vertex);
-        let all = own.flat_map(|other| self.facets.meetings(other, facet).iter().map(|one| one.2));
+        let all = own.flat_map(|other| self.facets.meetings.of(other).with(facet));
         all.min_by_key(|at| matches!(at, Meeting::Vertex(_)))
     }
 }

@@ -5,8 +5,8 @@
 
 use crate::complex::{SimplexId, VertexId};
 use crate::netmesh::state::State;
-use crate::netmesh::state::facets::Meeting;
 use crate::netmesh::state::facets::faces::EDGES;
+use crate::netmesh::state::facets::meetings::Meeting;
 use crate::numerics::{distance, norm, shortest_distance};
 
 /// Largest cosine of angles between segments, or a segment and a facet, that are not small.
@@ -86,10 +86,17 @@ impl State<3> {
             }
         }
         let is_on = |vertex, facet| self.facets_of(vertex).any(|other| other == facet);
-        let may = |&facet: &u32| self.facets.meets_any(facet);
-        self.facets_of(u).filter(may).filter(|&f| !is_on(v, f)).any(|f| {
-            let mut others = self.facets_of(v).filter(may).filter(|&g| !is_on(u, g));
-            others.any(|g| self.meet_at_small_angle(f, g, [u, v], largest))
+        self.facets_of(u).any(|f| {
+            let met = self.facets.meetings.of(f);
+            !met.is_empty()
+                && self.facets_of(v).any(|g| {
+                    let mut at = met.with(g).peekable();
+                    // Rarer than meetings, and longer to find out.
+                    let are_apart = || !is_on(v, f) && !is_on(u, g);
+                    at.peek().is_some()
+                        && are_apart()
+                        && at.any(|at| self.is_at_meeting(at, [u, v], largest))
+                })
         })
     }
 
@@ -105,21 +112,21 @@ impl State<3> {
         own.chain(others.iter().copied())
     }
 
-    /// Returns true if two facets meet where two of their vertices are seen at a small angle.
-    fn meet_at_small_angle(&self, f: u32, g: u32, [u, v]: [VertexId; 2], largest: Largest) -> bool {
-        self.facets.meetings(f, g).iter().any(|&(.., at)| match at {
+    /// Returns true if two vertices are seen at a small angle from where facets of theirs meet.
+    fn is_at_meeting(&self, at: Meeting, [u, v]: [VertexId; 2], largest: Largest) -> bool {
+        match at {
             Meeting::Line(line) => {
                 let ends = self.segments.chains.lines[line as usize].ends;
                 self.cosine_at(&self.foot(ends, u, v), u, v) > largest.at_line
             }
             Meeting::Vertex(vertex) => self.see_small_angle(vertex, [u, v], largest),
-        })
+        }
     }
 
     /// Returns true if two vertices are seen at a small angle from one where their facets or
     /// segments meet.
     fn see_small_angle(&self, from: VertexId, [u, v]: [VertexId; 2], largest: Largest) -> bool {
-        let most = match self.facets.has_tiny_angle(from) {
+        let most = match self.facets.meetings.has_tiny_angle(from) {
             true => largest.at_tiny,
             false => largest.at_vertex,
         };

@@ -16,6 +16,21 @@ use crate::validate::report::{Findings, Violation, ViolationKind};
 /// place of the larger coordinates of its ends, along each axis.
 pub(super) const BENT: f64 = 16.0;
 
+/// Length, in units in the last place of the larger coordinate of its ends, below which a segment
+/// is bent through no input on any axis: rounding explains no gap beside it.
+const SHORTEST: f64 = 4096.0;
+
+/// Distance from a segment up to which a vertex is on its chain.
+#[derive(Clone, Copy)]
+pub(super) enum Nearness {
+    /// None for so many inputs, half a unit in the last place for others.
+    Exact(usize),
+    /// Half a unit in the last place.
+    Rounded,
+    /// [`BENT`] units in the last place of the segment's ends.
+    Bent,
+}
+
 pub(super) struct Chains<'a, const D: usize> {
     view: View<'a, D>,
     /// Vertex -> the subsegments that end there.
@@ -94,6 +109,21 @@ impl<'a, const D: usize> Chains<'a, D> {
         self.cross_gap(way, from, to)
     }
 
+    /// Fills `path` as [`Self::lead`] does, along subsegments that are as near to the way as
+    /// doubles can be; so many inputs are exactly on it.
+    pub fn lead_straight(&mut self, way: Way, inputs: usize) -> AllocResult<bool> {
+        let [from, to] = way.ends;
+        self.path.clear();
+        self.path.try_push(from)?;
+        self.search_gap(way, from, to, Nearness::Exact(inputs))
+    }
+
+    /// Returns true if a way is so short that no input bends it.
+    pub fn is_short(&self, way: Way) -> bool {
+        let [from, to] = way.ends.map(|end| self.view.point(end));
+        (0..D).all(|axis| steps(from, to, axis) < SHORTEST)
+    }
+
     /// Fills `path` with the vertices of a segment from end to end; the vertex where they end
     /// before that otherwise.
     pub fn follow(&mut self, way: Way) -> AllocResult<Result<(), u32>> {
@@ -127,10 +157,7 @@ impl<'a, const D: usize> Chains<'a, D> {
     fn advances(&self, way: Way, a: u32, b: u32) -> bool {
         let [from, to] = way.ends.map(|end| self.view.point(end));
         let [a, b] = [a, b].map(|vertex| self.view.point(vertex));
-        let steps = |k: usize| {
-            let unit = unit_in_last_place(from[k].abs().max(to[k].abs()));
-            (to[k] - from[k]).abs().min(f64::MAX) / unit
-        };
+        let steps = |axis: usize| steps(from, to, axis);
         let axis = (1..D).fold(0, |axis, k| if steps(k) > steps(axis) { k } else { axis });
         let advances = if to[axis] < from[axis] { b[axis] < a[axis] } else { a[axis] < b[axis] };
         advances || a[axis] == b[axis] && a != b
@@ -147,18 +174,26 @@ impl<'a, const D: usize> Chains<'a, D> {
         let is_in_order = self.advances(way, a, b)
             && (a == from || self.advances(way, from, a))
             && (b == to || self.advances(way, b, to));
-        Ok(is_in_order && self.is_near(way, a, true)? && self.is_near(way, b, true)?)
+        Ok(is_in_order
+            && self.is_near(way, a, Nearness::Bent)?
+            && self.is_near(way, b, Nearness::Bent)?)
     }
 
     /// Appends the vertices from `from` to `to`, along subsegments of earlier segments: as near to
     /// the segment as doubles can be, or if there are none bent.
     fn cross_gap(&mut self, way: Way, from: u32, to: u32) -> AllocResult<bool> {
         Ok(from == to
-            || self.search_gap(way, from, to, false)?
-            || self.search_gap(way, from, to, true)?)
+            || self.search_gap(way, from, to, Nearness::Rounded)?
+            || self.search_gap(way, from, to, Nearness::Bent)?)
     }
 
-    fn search_gap(&mut self, way: Way, from: u32, to: u32, is_bent: bool) -> AllocResult<bool> {
+    fn search_gap(
+        &mut self,
+        way: Way,
+        from: u32,
+        to: u32,
+        nearness: Nearness,
+    ) -> AllocResult<bool> {
         self.searches += 1;
         self.waiting.clear();
         self.waiting.try_push(from)?;
@@ -172,7 +207,7 @@ impl<'a, const D: usize> Chains<'a, D> {
             let at_vertex = || at.of(vertex as usize).iter();
             let others = at_vertex().filter(|subsegment| !of_none(subsegment));
             for &subsegment in others.chain(at_vertex().filter(of_none)) {
-                let next = self.next_of_gap(way, subsegment, [vertex, to], is_bent)?;
+                let next = self.next_of_gap(way, subsegment, [vertex, to], nearness)?;
                 let is_new = |next: &u32| self.reached[*next as usize].1 != self.searches;
                 if let Some(next) = next.filter(is_new) {
                     self.reached[next as usize] = (vertex, self.searches);
@@ -189,7 +224,7 @@ impl<'a, const D: usize> Chains<'a, D> {
         way: Way,
         subsegment: u32,
         [vertex, to]: [u32; 2],
-        is_bent: bool,
+        nearness: Nearness,
     ) -> AllocResult<Option<u32>> {
         let boundary = &self.view.mesh.boundary;
         let [a, b] = boundary.subsegments[subsegment as usize];
@@ -198,7 +233,7 @@ impl<'a, const D: usize> Chains<'a, D> {
         let is_on = (parent < way.segment || way.segment == NONE)
             && self.advances(way, vertex, next)
             && (next == to || self.advances(way, next, to))
-            && self.is_near(way, next, is_bent)?;
+            && self.is_near(way, next, nearness)?;
         Ok(is_on.then_some(next))
     }
 
@@ -213,17 +248,24 @@ impl<'a, const D: usize> Chains<'a, D> {
         Ok(true)
     }
 
-    /// Returns true if `vertex` is within half a unit in the last place of the segment, or if that
-    /// `is_bent` within some units of its ends.
-    pub fn is_near(&self, way: Way, vertex: u32, is_bent: bool) -> AllocResult<bool> {
+    /// Returns true if `vertex` is no farther from the segment than `nearness` allows.
+    pub fn is_near(&self, way: Way, vertex: u32, nearness: Nearness) -> AllocResult<bool> {
         let [from, to] = way.ends.map(|end| self.view.point(end));
         let p = self.view.point(vertex);
-        let width = |axis: usize| match is_bent {
-            true => 2.0 * BENT * unit_in_last_place(from[axis].abs().max(to[axis].abs())),
-            false => unit_in_last_place(p[axis]),
+        let width = |axis: usize| match nearness {
+            Nearness::Exact(inputs) if (vertex as usize) < inputs => 0.0,
+            Nearness::Exact(_) | Nearness::Rounded => unit_in_last_place(p[axis]),
+            Nearness::Bent => 2.0 * BENT * unit_in_last_place(from[axis].abs().max(to[axis].abs())),
         };
         meets(from, to, p, std::array::from_fn(width))
     }
+}
+
+/// Returns the number of units in the last place of the larger coordinate between two points on an
+/// axis.
+fn steps<const D: usize>(from: &[f64; D], to: &[f64; D], axis: usize) -> f64 {
+    let unit = unit_in_last_place(from[axis].abs().max(to[axis].abs()));
+    (to[axis] - from[axis]).abs().min(f64::MAX) / unit
 }
 
 /// Checks that the anchors on the way that was found last are near the segment itself, not only
@@ -238,7 +280,7 @@ fn check_anchors(
     let path = chains.found();
     let anchors = Anchors::new(chains.view, inputs, edges);
     for &vertex in path[1..path.len() - 1].iter().filter(|&&vertex| anchors.holds(vertex)) {
-        let is_near = chains.is_near(way, vertex, true)?;
+        let is_near = chains.is_near(way, vertex, Nearness::Bent)?;
         findings.check(is_near, || describe_distance(way.segment, vertex));
     }
     Ok(())

@@ -7,6 +7,7 @@
 
 pub(in crate::netmesh) mod faces;
 pub(in crate::netmesh) mod floors;
+pub(in crate::netmesh) mod meetings;
 pub(in crate::netmesh) mod plane;
 pub(in crate::netmesh) mod sheet;
 
@@ -18,6 +19,7 @@ use crate::memory::{
 use crate::mesh::NONE;
 use crate::netmesh::state::facets::faces::Faces;
 use crate::netmesh::state::facets::floors::Floors;
+use crate::netmesh::state::facets::meetings::Meetings;
 use crate::netmesh::state::facets::plane::Plane;
 use crate::netmesh::state::segments::chain::Chains;
 use crate::netmesh::state::watch::Watch;
@@ -39,16 +41,8 @@ pub(in crate::netmesh) struct Facets {
     inside: Array<u32>,
     /// First vertices -> the facets that they are on.
     at_first: Option<Lists>,
-    /// Pairs of facets, the lower first, with the lines and vertices where they meet at small
-    /// angles.
-    meetings: Vec<(u32, u32, Meeting)>,
-    /// Facet -> the first of the pairs in which it is the lower one, and one more.
-    first_meetings: Vec<usize>,
-    /// Facet -> true if it is in one of these pairs.
-    meets: Vec<bool>,
-    /// First vertices -> true if two facets meet there, and at no line, at an angle of some
-    /// degrees.
-    has_tiny_angle: Vec<bool>,
+    /// Pairs of facets that meet at small angles.
+    pub meetings: Meetings,
     /// Line -> true if facets or segments meet there at a small angle.
     is_sharp: Vec<bool>,
     /// Facet -> true if it has such a line.
@@ -121,13 +115,6 @@ pub(in crate::netmesh) struct Subfacet {
     is_waiting: bool,
     /// Doubles are too coarse for a vertex in it.
     is_limited: bool,
-}
-
-/// Place where two facets meet.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(in crate::netmesh) enum Meeting {
-    Line(u32),
-    Vertex(VertexId),
 }
 
 /// Subfacet that waits, and the bits of its radius: the largest comes first, of equal ones the one
@@ -238,29 +225,8 @@ impl Facets {
         }
     }
 
-    /// Returns the places where two facets meet at small angles.
-    pub fn meetings(&self, f: u32, g: u32) -> &[(u32, u32, Meeting)] {
-        let (lower, higher) = (f.min(g) as usize, f.max(g));
-        let [first, end] = [0, 1].map(|more| self.first_meetings.get(lower + more).copied());
-        let own = &self.meetings[first.unwrap_or(0)..end.unwrap_or(0)];
-        let all = &own[own.partition_point(|&(_, other, _)| other < higher)..];
-        &all[..all.iter().take_while(|&&(_, other, _)| other == higher).count()]
-    }
-
-    /// Returns true if a facet meets any other at a small angle.
-    #[inline]
-    pub fn meets_any(&self, facet: u32) -> bool {
-        self.meets.get(facet as usize).copied().unwrap_or(false)
-    }
-
-    /// Sets which lines are sharp, and where facets meet at small angles: pairs as in `meetings`,
-    /// sorted, some of them several times.
-    pub fn set_sharp(
-        &mut self,
-        is_sharp: Vec<bool>,
-        ends: &[VertexId],
-        mut meetings: Vec<(u32, u32, Meeting)>,
-    ) -> AllocResult<()> {
+    /// Sets which lines are sharp, and the ends of these.
+    pub fn set_sharp(&mut self, is_sharp: Vec<bool>, ends: &[VertexId]) -> AllocResult<()> {
         self.has_sharp = filled(self.facets.len(), false)?;
         for own in &self.subfacets {
             let mut lines = own.subsegments.iter().filter(|&&line| line != NONE);
@@ -274,32 +240,8 @@ impl Facets {
             })
         };
         self.sharp_ends = Some(Lists::of_pairs(self.facets.len(), sharp)?);
-        meetings.dedup();
-        self.meets = filled(self.facets.len(), false)?;
-        for &(f, g, _) in &meetings {
-            self.meets[f as usize] = true;
-            self.meets[g as usize] = true;
-        }
-        self.first_meetings = filled(self.facets.len() + 1, 0)?;
-        let mut count = 0;
-        for (facet, first) in (0u32..).zip(&mut self.first_meetings) {
-            let own = meetings[count..].iter().take_while(|&&(f, ..)| f < facet);
-            count += own.count();
-            *first = count;
-        }
-        (self.is_sharp, self.meetings) = (is_sharp, meetings);
+        self.is_sharp = is_sharp;
         Ok(())
-    }
-
-    /// Notes for each of the first vertices whether facets meet at a tiny angle there.
-    pub fn set_tiny_angles(&mut self, has_tiny_angle: Vec<bool>) {
-        self.has_tiny_angle = has_tiny_angle;
-    }
-
-    /// Returns true if two facets meet at a vertex, and at no line there, at an angle of some
-    /// degrees.
-    pub fn has_tiny_angle(&self, vertex: VertexId) -> bool {
-        self.has_tiny_angle.get(vertex.index()).copied().unwrap_or(false)
     }
 
     /// Returns true if facets or segments meet at a small angle at a line.

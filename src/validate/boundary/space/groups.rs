@@ -71,6 +71,7 @@ pub(super) fn each_facet(
     members.sort_unstable();
     for group in members.chunk_by(|a, b| a.0 == b.0) {
         match facet(ways.inputs, &triangles, group)? {
+            Some(facet) if is_left_out(&facet, &triangles, group, ways)? => {}
             Some(facet) => {
                 let balance = balances[facet.parent as usize].unwrap_or(1);
                 visit(&facet, balance, ways, findings)?;
@@ -154,6 +155,27 @@ fn leave_out_needles(
         }
     }
     Ok(())
+}
+
+/// Returns true if a facet has nothing to keep since crossings are split: all its triangles are
+/// no wider than an edge may be bent, and nobody else has one of its edges.
+fn is_left_out(
+    facet: &Facet,
+    triangles: &[[u32; 3]],
+    group: &[(u32, u32)],
+    ways: &mut Ways<'_>,
+) -> AllocResult<bool> {
+    for &(_, triangle) in group {
+        if !ways.splits_crossings() || !ways.is_needle(triangles[triangle as usize])? {
+            return Ok(false);
+        }
+    }
+    for &edge in &facet.rim {
+        if !ways.find(edge)? {
+            return Ok(true);
+        }
+    }
+    Ok(false)
 }
 
 /// Returns a triangle from one of its vertices on.

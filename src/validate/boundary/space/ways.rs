@@ -1,7 +1,7 @@
 //! Level 2: chains of subsegments lead along the caller's segments and along the edges of facets,
 //! their vertices are as near to these as doubles can be, and no subsegment is on none of them.
 
-use super::super::chains::{Chains, Way, describe, describe_distance};
+use super::super::chains::{Chains, Nearness, Way, describe, describe_distance};
 use super::super::exact::{meets, unit_in_last_place};
 use super::faces::Faces;
 use super::given;
@@ -105,11 +105,29 @@ impl<'a> Ways<'a> {
             self.path.try_extend(&ends)?;
             return Ok(true);
         }
-        let is_found = self.chains.lead(Way { segment: NONE, ends })?;
+        let way = Way { segment: NONE, ends };
+        // Only vertices at crossings bend short edges.
+        let is_straight = !self.splits_crossings() && self.chains.is_short(way);
+        let is_found = match is_straight {
+            true => self.chains.lead_straight(way, self.inputs.distinct())?,
+            false => self.chains.lead(way)?,
+        };
         if is_found {
             self.keep_path()?;
         }
         Ok(is_found)
+    }
+
+    /// Returns true if a corner of a triangle of inputs is so near to the edge opposite that this
+    /// may be bent through it.
+    pub fn is_needle(&self, [a, b, c]: [u32; 3]) -> AllocResult<bool> {
+        for (ends, corner) in [([a, b], c), ([b, c], a), ([c, a], b)] {
+            let way = Way { segment: NONE, ends };
+            if !self.chains.is_short(way) && self.chains.is_near(way, corner, Nearness::Bent)? {
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
     /// Checks that a chain leads along an edge of a facet; whether one does.
@@ -163,7 +181,7 @@ impl<'a> Ways<'a> {
                 continue;
             }
             if end != way.ends[1] {
-                let is_near = self.chains.is_near(way, end, true)?;
+                let is_near = self.chains.is_near(way, end, Nearness::Bent)?;
                 findings.check(is_near, || describe_distance(way.segment, end));
             }
             for at in from + 1..to {

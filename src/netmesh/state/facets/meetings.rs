@@ -1,0 +1,78 @@
+//! The places where facets meet at small angles, by facet.
+
+use crate::complex::VertexId;
+use crate::memory::{AllocResult, filled};
+
+/// Pairs of facets that meet at small angles, and the places where they do.
+#[derive(Default)]
+pub(in crate::netmesh) struct Meetings {
+    /// A facet, one that it meets, and where: every pair either way round, sorted.
+    all: Vec<(u32, u32, Meeting)>,
+    /// Facet -> the first of its meetings, and one more.
+    starts: Vec<usize>,
+    /// First vertices -> true if two facets meet there, and at no line, at an angle of some
+    /// degrees.
+    has_tiny_angle: Vec<bool>,
+}
+
+/// Place where two facets meet.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(in crate::netmesh) enum Meeting {
+    Line(u32),
+    Vertex(VertexId),
+}
+
+impl Meetings {
+    /// Takes the places where so many facets meet: every pair either way round, sorted, some of
+    /// them several times.
+    pub fn new(
+        facets: usize,
+        mut all: Vec<(u32, u32, Meeting)>,
+        has_tiny_angle: Vec<bool>,
+    ) -> AllocResult<Self> {
+        all.dedup();
+        let mut starts = filled(facets + 1, 0)?;
+        let mut count = 0;
+        for (facet, start) in (0u32..).zip(&mut starts) {
+            let before = all[count..].iter().take_while(|&&(own, ..)| own < facet);
+            count += before.count();
+            *start = count;
+        }
+        Ok(Self { all, starts, has_tiny_angle })
+    }
+
+    /// Returns the places where a facet meets others.
+    #[inline]
+    pub fn of(&self, facet: u32) -> MeetingsOf<'_> {
+        let at = facet as usize;
+        match self.starts.get(at..at + 2) {
+            Some(range) => MeetingsOf(&self.all[range[0]..range[1]]),
+            None => MeetingsOf(&[]),
+        }
+    }
+
+    /// Returns true if two facets meet at a vertex, and at no line there, at an angle of some
+    /// degrees.
+    pub fn has_tiny_angle(&self, vertex: VertexId) -> bool {
+        self.has_tiny_angle.get(vertex.index()).copied().unwrap_or(false)
+    }
+}
+
+/// The meetings of one facet.
+#[derive(Clone, Copy)]
+pub(in crate::netmesh) struct MeetingsOf<'a>(&'a [(u32, u32, Meeting)]);
+
+impl<'a> MeetingsOf<'a> {
+    #[inline]
+    pub fn is_empty(self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// Returns the places where the facet meets another one.
+    #[inline]
+    pub fn with(self, other: u32) -> impl Iterator<Item = Meeting> + 'a {
+        let first = self.0.partition_point(|&(_, met, _)| met < other);
+        let own = self.0[first..].iter().take_while(move |&&(_, met, _)| met == other);
+        own.map(|&(.., at)| at)
+    }
+}

@@ -128,8 +128,9 @@ pub struct Arguments {
     #[arg(long, value_name = "EDGES", value_parser = clap::value_parser!(u32).range(3..=1000))]
     pub close_holes: Option<u32>,
 
-    /// Split the polygons of the surface into triangles, before its holes are closed: polygons that
-    /// are not plane are refused otherwise. Triangles in one plane are one facet again
+    /// Split all polygons of the surface into triangles, before its holes are closed. Without it
+    /// they are split only if one of them is not plane, or if other files (--with) have triangles.
+    /// Triangles in one plane are one facet again
     #[arg(long)]
     pub triangulate: bool,
 

@@ -18,6 +18,8 @@ pub struct Input {
     pub further: Vec<Further>,
     /// Number of corners that `--merge` has made one.
     pub merged: Option<Merged>,
+    /// Number of polygons that have become triangles, since other files have some.
+    pub mixed: usize,
 }
 
 /// File that is meshed together with the input.
@@ -81,23 +83,26 @@ pub fn read(arguments: &Arguments) -> std::result::Result<Input, Failure> {
         }
     };
     let mut table = table(arguments).map_err(reading)?;
-    let append = |path: &PathBuf| append(&mut table, path, arguments);
+    let mut mixed = 0;
+    let append = |path: &PathBuf| append(&mut table, path, &mut mixed, arguments);
     let further = arguments.with.iter().map(append).collect::<std::result::Result<_, Failure>>()?;
     let merged = merging::merge(&mut table, arguments)?;
     let mesh = table.mesh(arguments.added_values == AddedValues::Linear).map_err(reading)?;
-    Ok(Input { mesh, further, merged })
+    Ok(Input { mesh, further, merged, mixed })
 }
 
 /// Appends what a further file has.
 fn append(
     table: &mut Table,
     path: &Path,
+    mixed: &mut usize,
     arguments: &Arguments,
 ) -> std::result::Result<Further, Failure> {
     let name = path.display().to_string();
     let choice = Choice { has_points_alone: arguments.points, ..Choice::default() };
     let further = io::read_table_file(path, Format::Auto, &choice);
-    let further = further.map_err(|error| Failure::reading(&name, &error))?;
+    let mut further = further.map_err(|error| Failure::reading(&name, &error))?;
+    *mixed += split_unless_alike(table, &mut further, &name, arguments)?;
     let (facets, segments) = (table.outline.facets.count(), table.outline.segments.len());
     table.append(&further).map_err(|error| Failure::reading(&name, &error.of_content()))?;
     let outline = &table.outline;
@@ -107,6 +112,37 @@ fn append(
         facets: Marked::of(&outline.facets.markers[facets..]),
         segments: Marked::of(&outline.markers[segments..]),
     })
+}
+
+/// Makes triangles of polygons if one file has polygons and the other one triangles. Returns the
+/// number of polygons.
+fn split_unless_alike(
+    table: &mut Table,
+    further: &mut Table,
+    name: &str,
+    arguments: &Arguments,
+) -> std::result::Result<usize, Failure> {
+    let [own, given] = [&*table, &*further].map(|table| &table.outline.facets);
+    if own.count() == 0 || given.count() == 0 || own.are_triangles == given.are_triangles {
+        return Ok(0);
+    }
+    let (polygons, name) = match own.are_triangles {
+        true => (further, name.to_owned()),
+        false => (table, standard::input_name(&arguments.input)),
+    };
+    split(polygons).map_err(|error| {
+        let Failure { code, message } = Failure::reading(&name, &error.of_content());
+        let rule = "beside the triangles of other files, polygons have to become triangles";
+        Failure::new(code, format!("{message}; {rule}"))
+    })
+}
+
+/// Makes triangles of polygons. Returns the number of polygons.
+fn split(table: &mut Table) -> Result<usize> {
+    let mut mesh = table.mesh(false)?;
+    let polygons = mesh.triangulate_facets()?;
+    table.outline.facets = mesh.given_facets().clone();
+    Ok(polygons)
 }
 
 /// End of the library's refusal of `--attributes all` where there are no attributes.

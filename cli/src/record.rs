@@ -68,7 +68,7 @@ fn repairs(Repairs { merged, triangulated, closed }: &Repairs) -> Value {
             "points": merged.points,
             "triangles": merged.triangles,
         })),
-        "triangulated": triangulated,
+        "triangulated": triangulated.as_ref().map(|split| split.polygons),
         "holes": closed.as_ref().map(|closed| json!({
             "closed": closed.holes,
             "triangles": closed.triangles.len(),

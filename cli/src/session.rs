@@ -7,7 +7,6 @@ use crate::diagnosis;
 use crate::exit_code::{ExitCode, Failure};
 use crate::filtration;
 use crate::histograms::Histograms;
-use crate::holes;
 use crate::input::{self, Input};
 use crate::interruption;
 use crate::merging;
@@ -15,7 +14,7 @@ use crate::output;
 use crate::part;
 use crate::progress::Display;
 use crate::record;
-use crate::repairs::Repairs;
+use crate::repairs;
 use crate::same_file;
 use crate::sizes;
 use crate::standard;
@@ -34,16 +33,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     output::require_writable(&files)?;
     let display = Display::new(!arguments.quiet);
     let mut times = Times::default();
-    let Input { mut mesh, further, merged } = {
+    let mut input = {
         let _stage = display.stage("reading");
         timed(&mut times.read, || input::read(arguments))?
     };
-    let triangulated = match arguments.triangulate {
-        true => Some(mesh.triangulate_facets()?),
-        false => None,
-    };
-    let closed = holes::close(&mut mesh, arguments)?;
-    let repairs = Repairs { merged, triangulated, closed };
+    let repairs = repairs::repair(&mut input, arguments)?;
+    let Input { mut mesh, further, .. } = input;
     if let Some(path) = &arguments.diagnose {
         let _stage = display.stage("diagnosing");
         return print(&diagnosis::text(&mesh, &repairs, path, arguments)?);

@@ -246,29 +246,72 @@ fn further_files_are_meshed_together_with_the_input() {
     }
 }
 
-/// Polygons that are not plane are meshed as triangles where that is asked for.
+/// Polygons are meshed as triangles where that is asked for, or where one is not plane.
 #[test]
 fn polygons_become_triangles() {
     let bench = Workbench::new("facets_triangulated");
     // One corner of the cube is off the planes of three sides.
     bench.write("bent.off", &CUBE.replacen("1 1 1\n", "1.1 1.2 1.3\n", 1));
-    bench.run("bent.off").assert_failure(4, &["is not plane", "split it into triangles"]);
-    let outcome = bench.run("bent.off --triangulate --validate --json bent.json");
-    outcome.assert_success();
-    for words in ["6 polygons split into triangles\n", "12 triangles; ", "holds at level 3"] {
-        assert!(outcome.stdout.contains(words), "no {words:?} in {}", outcome.stdout);
+    let bent = " 6 polygons split into triangles: facets[1] is not plane\n";
+    let asked = " 6 polygons split into triangles\n";
+    for (line, told) in [("bent.off", bent), ("bent.off --triangulate", asked)] {
+        let outcome = bench.run(&format!("{line} --validate --json bent.json"));
+        outcome.assert_success();
+        for words in [told, "12 triangles; ", "holds at level 3"] {
+            assert!(outcome.stdout.contains(words), "no {words:?} in {}", outcome.stdout);
+        }
+        assert!(bench.read("bent.json").contains("\"triangulated\": 6"));
+        let outcome = bench.run(&format!("{line} --diagnose bent.vtu"));
+        outcome.assert_success();
+        for words in [told, "12 triangles in", "edges       0 edges where"] {
+            assert!(outcome.stdout.contains(words), "no {words:?} in {}", outcome.stdout);
+        }
     }
-    assert!(bench.read("bent.json").contains("\"triangulated\": 6"));
-    let outcome = bench.run("bent.off --triangulate --diagnose bent.vtu");
-    outcome.assert_success();
-    for words in ["\nsplit       6 polygons", "12 triangles in", "edges       0 edges where"] {
-        assert!(outcome.stdout.contains(words), "no {words:?} in {}", outcome.stdout);
+    // Of polygons that are plane, or that may be bent so far, all edges are kept.
+    for line in ["cube.off", "slope.off --coplanar 10"] {
+        bench.write("cube.off", CUBE);
+        bench.write("slope.off", &CUBE.replacen("1 1 1\n", "1 1 1.05\n", 1));
+        let outcome = bench.run(line);
+        outcome.assert_success();
+        assert!(!outcome.stdout.contains("split into"), "{line}: {}", outcome.stdout);
     }
+    // A segment within a polygon would be lost.
+    let base = pyramid().replacen("1 0 9\n4 1 2 3 4\n", "2 0 9\n4 1 2 3 4\n2 1 3\n", 1);
+    bench.write("bent.poly", &base.replacen("3 4 4 0\n", "3 4 4 0.5\n", 1));
+    bench.run("bent.poly").assert_failure(4, &["is not plane", "split it into triangles"]);
+    bench.run("bent.poly --triangulate").assert_failure(2, &["facets have segments within"]);
     // Plane polygons are facets again; a facet keeps its marker.
     bench.write("pyramid.poly", &pyramid());
     bench.run("pyramid.poly --triangulate -q -o pyramid.node").assert_success();
     let face = bench.read("pyramid.face");
     assert_eq!(face.lines().filter(|line| line.ends_with(" 9")).count(), 2, "{face}");
+}
+
+/// Polygons of one file and triangles of another are triangles, whichever comes first.
+#[test]
+fn polygons_and_triangles_are_meshed_together() {
+    let bench = Workbench::new("facets_mixed");
+    bench.write("cube.off", CUBE);
+    let corners = "0.25 0.25 0.25\n0.75 0.25 0.25\n0.25 0.75 0.25\n0.25 0.25 0.75\n";
+    let faces = "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+    bench.write("inner.off", &format!("OFF\n4 4 0\n{corners}{faces}"));
+    for line in ["cube.off --with inner.off", "inner.off --with cube.off"] {
+        let outcome = bench.run(&format!("{line} --validate --json mixed.json"));
+        outcome.assert_success();
+        for words in [
+            " 6 polygons split into triangles, as the other facets are\n",
+            "16 triangles; ",
+            "holds at level 3",
+        ] {
+            assert!(outcome.stdout.contains(words), "no {words:?} in {}", outcome.stdout);
+        }
+        assert!(bench.read("mixed.json").contains("\"triangulated\": 6"));
+    }
+    // Such polygons have no triangles.
+    bench.write("crossed.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n4 0 1 2 3\n");
+    let rule = "beside the triangles of other files, polygons have to become triangles";
+    bench.run("inner.off --with crossed.off").assert_failure(4, &["crossed.off: ", rule]);
+    bench.run("crossed.off --with inner.off").assert_failure(4, &["crossed.off: ", rule]);
 }
 
 /// The record has what was meshed together, and what was repaired.

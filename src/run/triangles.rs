@@ -1,6 +1,6 @@
 //! Polygons that a mesh was given as triangles, without a run.
 
-use crate::arrangement::space::triangulate;
+use crate::arrangement::space::{bent_polygon, triangulate};
 use crate::error::{Error, Result, message};
 use crate::memory::collected;
 use crate::mesh::{FacetTriangulation, Facets, Mesh};
@@ -39,6 +39,22 @@ impl Mesh {
     pub fn facet_triangulation(&self) -> Result<FacetTriangulation> {
         self.check_in_space()?;
         triangulate(self.inputs(), self.given_facets(), &mut |_| Ok(()))
+    }
+
+    /// Returns the first of the polygons given in space that a run with so many degrees of
+    /// [`Options::coplanar`] refuses since it is not plane; `None` if there is none, or triangles
+    /// were given. O(n log n) for n inputs of the polygons.
+    ///
+    /// [`Options::coplanar`]: crate::options::Options::coplanar
+    ///
+    /// # Errors
+    /// `InvalidArgument` (a mesh that is not in space), `OutOfMemory`.
+    pub fn bent_polygon(&self, coplanar: f64) -> Result<Option<u32>> {
+        self.check_in_space()?;
+        match self.given_facets().are_triangles {
+            true => Ok(None),
+            false => bent_polygon(self.inputs(), self.given_facets(), coplanar, &mut |_| Ok(())),
+        }
     }
 
     fn check_in_space(&self) -> Result<()> {

@@ -5,7 +5,7 @@ use super::filling;
 use super::pieces::{Piece, Pieces};
 use super::projection::normal;
 use super::sides::{Side, Sides};
-use super::{as_given, points_of};
+use super::{pieces_as_given, points_of};
 use crate::arrangement::poll::Poll;
 use crate::error::Result;
 use crate::memory::{AllocResult, Lists, TryGrow, collected, copied, filled, with_capacity};
@@ -28,7 +28,7 @@ pub fn fill_holes(
     poll: Poll<'_>,
 ) -> Result<HoleFilling> {
     let points = points_of(inputs)?;
-    let pieces = as_given(&points, inputs, facets, &Segments::default(), poll)?;
+    let pieces = pieces_as_given(&points, inputs, facets, &Segments::default(), poll)?;
     let rim = Rim::of(&pieces, facets, poll)?;
     let (mut found, mut closed) = (HoleFilling::default(), 0);
     for hole in rim.holes(&points)? {

@@ -63,7 +63,7 @@ pub use curvature::CurvatureSizes;
 pub use duplicates::count_duplicates;
 pub use holes::fill_holes;
 pub use odd_edges::find_odd_edges;
-pub use triangulation::triangulate;
+pub use triangulation::{bent_polygon, triangulate};
 
 use super::poll::Poll;
 use crate::error::Result;
@@ -181,23 +181,27 @@ pub fn find_intersections(
     poll: Poll<'_>,
 ) -> Result<Vec<Intersection>> {
     let points = points_of(inputs)?;
-    let pieces = as_given(&points, inputs, facets, segments, poll)?;
+    let pieces = pieces_as_given(&points, inputs, facets, segments, poll)?;
     intersections::all(&points, &pieces, poll)
 }
 
 /// Returns the pieces of facets and segments as they were given, of which nothing is merged, split
 /// or led through other inputs.
-fn as_given(
+fn pieces_as_given(
     points: &[[f64; 3]],
     inputs: &Inputs,
     facets: &Facets,
     segments: &Segments,
     poll: Poll<'_>,
 ) -> Result<Pieces> {
+    Pieces::new(points, &as_given(inputs, facets, segments), &Isolated::default(), poll)
+}
+
+/// Returns the task of facets and segments as they were given.
+fn as_given<'a>(inputs: &'a Inputs, facets: &'a Facets, segments: &'a Segments) -> TaskInSpace<'a> {
     let (regions, coplanar, extent) = (&[], 0.0, Extent::All);
     let crossings = Crossings::Refuse;
-    let task = TaskInSpace { inputs, facets, segments, regions, coplanar, extent, crossings };
-    Pieces::new(points, &task, &Isolated::default(), poll)
+    TaskInSpace { inputs, facets, segments, regions, coplanar, extent, crossings }
 }
 
 fn points_of(inputs: &Inputs) -> AllocResult<Vec<[f64; 3]>> {

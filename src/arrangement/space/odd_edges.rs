@@ -2,7 +2,7 @@
 
 use super::pieces::Piece;
 use super::sides::{Side, Sides};
-use super::{as_given, points_of};
+use super::{pieces_as_given, points_of};
 use crate::arrangement::poll::Poll;
 use crate::error::Result;
 use crate::memory::{TryGrow, collected};
@@ -18,7 +18,7 @@ const WORK: u32 = 1;
 /// `OutOfMemory`, and those of `poll`.
 pub fn find_odd_edges(inputs: &Inputs, facets: &Facets, poll: Poll<'_>) -> Result<Vec<OddEdge>> {
     let points = points_of(inputs)?;
-    let pieces = as_given(&points, inputs, facets, &Segments::default(), poll)?;
+    let pieces = pieces_as_given(&points, inputs, facets, &Segments::default(), poll)?;
     let triangles = collected(pieces.all.iter().filter_map(Piece::triangle))?;
     let facets: Vec<&Piece> = collected(pieces.all.iter().filter(|one| one.triangle().is_some()))?;
     let mut found = Vec::new();

@@ -133,6 +133,33 @@ fn needles_that_nobody_shares_have_nothing_to_keep() {
     }
 }
 
+/// Holds that parts of one triangle are one facet, though one of them is no wider than roundings
+/// and may be turned anyhow.
+#[test]
+fn parts_of_a_triangle_are_one_facet() {
+    let (subnormal, far) = ([5_889_285.0, 5_889_287.0, 5_889_287.0], 2f64.powi(52));
+    let top = 15_032_385_536.0;
+    for (unit, origin, near, upper, side) in [
+        (f64::from_bits(1), subnormal, [2.0, -4.0, 0.0], [2.0, 0.0], [33_554_434.0, -1024.0]),
+        (f64::from_bits(1), subnormal, [2.0, -4.0, -1.0], [3.0, 0.0], [1e6, -1e6]),
+        (1.0, [far; 3], [2.0, -2.0, -1.0], [3.0, -1.0], [1e6, -1024.0]),
+    ] {
+        let steps = [
+            [upper[0], upper[1], top],
+            [top; 3],
+            [33_554_432.0; 3],
+            [side[0], top, side[1]],
+            // A corner beside an edge of the first triangle, near the end of that.
+            [0.0; 3],
+            near,
+        ];
+        let points = steps.map(|own| [0, 1, 2].map(|k: usize| (origin[k] + own[k]) * unit));
+        let triangles = [[5, 3, 0], [4, 3, 2], [3, 2, 1]];
+        let made = run(&points, &triangles, &split(Extent::All, f64::INFINITY));
+        assert!(made.boundary.subfacet_parents.contains(&0));
+    }
+}
+
 /// Holds that such a triangle is refused, with its place, where it has to stay: between vertices
 /// that are rounded to its edges it has no area.
 #[test]

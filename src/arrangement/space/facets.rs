@@ -36,7 +36,11 @@ pub(super) fn add_surface(
         Crossings::Refuse => None,
         Crossings::Split => Some(Pairs::new(task, &of, pieces, poll)?),
     };
-    let surface = Surface { triangles: &triangles, kinds: &kinds, origins: &of, pairs };
+    let vertices =
+        |own: &[u32]| [own[0], own[1], own[2]].map(|at| task.inputs.vertices()[at as usize]);
+    let given = collected(task.facets.inputs.chunks_exact(3).map(vertices))?;
+    let surface =
+        Surface { triangles: &triangles, kinds: &kinds, origins: &of, given: &given, pairs };
     let firsts = merged(points, &surface, task.coplanar, poll)?;
     poll(LONG)?;
     // The first of the caller's triangles, by the first one of a group.

@@ -86,7 +86,8 @@ impl Frame {
                 let kinds = filled(triangles.len(), 0)?;
                 let origins = collected(0..triangles.len() as u32)?;
                 let (kinds, origins) = (&kinds, &origins);
-                let surface = Surface { triangles: &triangles, kinds, origins, pairs: None };
+                let given = &triangles;
+                let surface = Surface { triangles: &triangles, kinds, origins, given, pairs: None };
                 merged(points, &surface, 0.0, poll)?
             }
             None => exactly_plane(points, &triangles, poll)?,

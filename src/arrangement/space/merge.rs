@@ -31,6 +31,8 @@ pub(super) struct Surface<'a> {
     pub kinds: &'a [u32],
     /// Triangle -> the caller's one that it is a part of.
     pub origins: &'a [u32],
+    /// The caller's triangles.
+    pub given: &'a [[u32; 3]],
     /// Pairs of the caller's triangles, if crossings are split; `None` if all meet in edges that
     /// they share alone.
     pub pairs: Option<Pairs<'a>>,
@@ -131,10 +133,12 @@ fn neighbors_among(task: &TaskInSpace<'_>, kept: &[u32], poll: Poll<'_>) -> Resu
 /// Returns for each triangle the first triangle of its facet. Triangles are of one facet if a way
 /// leads from one to the other over edges at which they bend by at most `coplanar` degrees (0: by
 /// no more than rounding explains), and if none is turned by more from the one that the facet grew
-/// from. Parts of one triangle, which go through inputs beside it, are of one facet whatever their
-/// angle. Facets grow from their first triangles, or with an angle from their largest. Over an edge
-/// at which one is borrowed, two are of one facet if those are that have their areas: the mesh
-/// shows no more of them than that. O(n log n), where few facets are borrowed from.
+/// from. All turn alike where the caller's triangle that this is a part of is largest: the part may
+/// be no wider than roundings. Parts of one triangle, which go through inputs beside it, are of one
+/// facet whatever their angle. Facets grow from their first triangles, or with an angle from their
+/// largest. Over an edge at which one is borrowed, two are of one facet if those are that have
+/// their areas: the mesh shows no more of them than that. O(n log n), where few facets are borrowed
+/// from.
 pub(super) fn merged(
     points: &[[f64; 3]],
     surface: &Surface<'_>,
@@ -158,7 +162,8 @@ pub(super) fn merged(
         if facets[seed as usize] != NONE {
             continue;
         }
-        let Some(frame) = Frame::of(corners(seed), normal(seed), sine) else { continue };
+        let given = surface.given[origins[seed as usize] as usize].map(|v| &points[v as usize]);
+        let Some(frame) = Frame::of(given, normal(seed), sine) else { continue };
         facets[seed as usize] = seed;
         members.clear();
         enqueue(&mut waiting, seed)?;

@@ -22,7 +22,7 @@ from pathlib import Path
 SURFACES = {".stl", ".off", ".obj", ".ply", ".poly", ".smesh"}
 HEAD = (
     "| surface | points | vertices | below 10 | forced | limited | least angle | seconds | MiB "
-    "| vertices (0) | seconds (0) | TetGen | seconds | MiB | beyond | not Delaunay | least angle |"
+    "| vertices (0) | forced (0) | seconds (0) | TetGen | seconds | MiB | beyond | not Delaunay | least angle |"
 )
 
 
@@ -108,6 +108,7 @@ def row_in(arguments, path, folder):
         f"{record['seconds']:.2f}",
         f"{record['mib']:.0f}",
         plain["counts"]["vertices"] if plain else "",
+        plain["quality"]["forced"] if plain else "",
         f"{plain['seconds']:.2f}" if plain else "",
     ]
     peer, why = by_peer(arguments, path)
@@ -129,6 +130,11 @@ def summary(found):
     both = [(name, record, plain, peer) for name, record, plain, peer in found if plain and peer]
     clean = sum(record["is_clean"] for _, record, _, _ in found)
     lines = [f"{len(found)} were meshed, {clean} of these with a clean certificate."]
+    plain = [plain for _, _, plain, _ in found if plain]
+    lines.append(
+        f"With `--min-dihedral 0` {len(plain)} have {sum(p['counts']['vertices'] for p in plain)} vertices, and "
+        f"{sum(p['quality']['forced'] for p in plain)} cells that small angles excuse."
+    )
     if both:
         ratios = {
             "vertices (0) over TetGen's": [p["counts"]["vertices"] / t["vertices"] for _, _, p, t in both],
@@ -141,6 +147,8 @@ def summary(found):
             lines.append(f"{what}: median {statistics.median(values):.2f}, worst {max(values):.2f} ({worst}).")
         beyond = sum(t["beyond_bound"] > 0 for *_, t in both)
         not_delaunay = sum(t["not_delaunay"] > 0 for *_, t in both)
+        own, given = (sum(of(one) for one in both) for of in (lambda b: b[2]["counts"]["vertices"], lambda b: b[3]["vertices"]))
+        lines.append(f"Where TetGen ends: {own} vertices (0), and {given} of TetGen's.")
         lines.append(f"Of TetGen's {len(both)}, {beyond} have cells beyond the bound, {not_delaunay} are not Delaunay inside.")
     return "\n".join(lines)
 
@@ -157,7 +165,7 @@ def main():
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     paths = (path for folder in arguments.folders for path in folder.rglob("*"))
     files = sorted(path for path in paths if path.suffix.lower() in SURFACES)
-    print(HEAD + "\n" + "|---" * 17 + "|", flush=True)
+    print(HEAD + "\n" + "|---" * 18 + "|", flush=True)
     found = []
     with ThreadPoolExecutor(arguments.jobs) as pool:
         for line, one in pool.map(lambda path: row(arguments, path), files):

@@ -160,6 +160,27 @@ fn parts_of_a_triangle_are_one_facet() {
     }
 }
 
+/// Holds that facets which run for a long way nearer to each other than the roundings of their
+/// vertices are refused, with a place: there is no end of vertices on top of each other.
+#[test]
+fn facets_within_roundings_of_each_other_have_no_room() {
+    let (origin, top) = (2f64.powi(52), 15_032_385_536.0);
+    let steps = [
+        [3.0, 1.0, top],
+        [top; 3],
+        [33_554_432.0; 3],
+        [1e9, top, -1e6],
+        [0.0; 3],
+        [0.0, -6.0, 1.0],
+    ];
+    let points = steps.map(|steps| steps.map(|step| origin + step));
+    let mut mesh = surface(&points, &[[5, 3, 0], [4, 3, 2], [3, 2, 1]]);
+    let error = mesh.run(&split(Extent::All, f64::INFINITY), None).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::Limit);
+    assert!(error.message().starts_with("doubles have no room between facets near ("), "{error}");
+    assert!(mesh.result().is_err());
+}
+
 /// Holds that such a triangle is refused, with its place, where it has to stay: between vertices
 /// that are rounded to its edges it has no area.
 #[test]

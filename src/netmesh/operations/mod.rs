@@ -17,6 +17,7 @@
 //! - `recover`: subsegments are split until they are edges; `recover_facets`: subfacets, until they
 //!   are faces; `recover_boundary`: both, and what a Steiner point would encroach, as far as the
 //!   `guard` lets it be split.
+//! - `crowding`: vertices of the boundary that are on top of others.
 //! - `yielding_insert`: YIELDINGINSERT of a Steiner point.
 //! - `cage_gap`: a gap between the vertices of a cage is narrowed.
 //! - `clean`: CLEAN.
@@ -24,6 +25,7 @@
 pub(super) mod cage;
 pub(super) mod cage_gap;
 pub(super) mod clean;
+pub(super) mod crowding;
 pub(super) mod guard;
 pub(super) mod insert_input;
 pub(super) mod recover;

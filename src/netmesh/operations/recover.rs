@@ -83,6 +83,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             state.split_in_sheets(subsegment, second, vertex)?;
         }
         self.insert_into_cavity(vertex, cavity)?;
+        self.refuse_crowding(vertex)?;
         Ok(true)
     }
 

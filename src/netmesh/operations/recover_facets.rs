@@ -129,6 +129,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         self.state.stats.segment_points += 1;
         self.insert_into_cavity(vertex, cavity)?;
+        self.refuse_crowding(vertex)?;
         Ok(true)
     }
 }

@@ -18,12 +18,17 @@ const SAME_SHELL: f64 = 1e-3;
 /// of its own: roundings take more from the distances of vertices than refinement gives.
 const SMALLEST_BALL: f64 = 32.0;
 
+/// Returns the unit in the last place of the largest coordinate of a point.
+pub(in crate::netmesh) fn unit_of<const D: usize>(x: &[f64; D]) -> f64 {
+    let largest = x.iter().fold(0.0f64, |largest, x| largest.max(x.abs()));
+    largest.next_up() - largest
+}
+
 impl<const D: usize> State<D> {
     /// Returns true if doubles are too coarse for a Steiner point at `x`, which is as far from
     /// vertices as `radius`. Beside segments refinement would go on for ever on roundings.
     pub(in crate::netmesh) fn is_too_coarse(&self, x: &[f64; D], radius: f64) -> bool {
-        let largest = x.iter().fold(0.0f64, |largest, x| largest.max(x.abs()));
-        self.segments.is_active() && radius < SMALLEST_BALL * (largest.next_up() - largest)
+        self.segments.is_active() && radius < SMALLEST_BALL * unit_of(x)
     }
 
     /// Returns true if a live simplex is known to be outside, or forced.

@@ -57,6 +57,8 @@ pub(in crate::netmesh) struct Facets {
     feature_sizes: Array<f64>,
     /// Subsegments and subfacets near a point.
     pub near: NearBoundary,
+    /// Number of vertices of the boundary that are on top of others but for roundings.
+    pub on_top: u32,
     /// Simplices at a vertex, for searches.
     pub star: Array<SimplexId>,
     /// Subfacets whose edges wait for a test, and others that a search has found.

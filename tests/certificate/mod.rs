@@ -8,6 +8,7 @@ mod frames;
 mod geometry;
 mod histograms;
 mod interiors;
+mod left_out;
 mod measures;
 mod meshes;
 mod paper;

@@ -9,12 +9,13 @@ use netmesh::{HoleFilling, Mesh};
 /// Closes the holes that are to be closed.
 pub fn close(mesh: &mut Mesh, arguments: &Arguments) -> Result<Option<HoleFilling>, Failure> {
     let Some(most) = arguments.close_holes else { return Ok(None) };
+    let name = standard::input_name(&arguments.input);
     if mesh.given_facets().count() == 0 {
-        let name = standard::input_name(&arguments.input);
         let message = format!("{name}: has no facets; --close-holes is for surfaces");
         return Err(Failure::new(ExitCode::Usage, message));
     }
-    Ok(Some(mesh.close_holes(most as usize)?))
+    let closed = mesh.close_holes(most as usize);
+    closed.map(Some).map_err(|error| Failure::reading(&name, &error.of_content()))
 }
 
 /// Returns the line that tells what was closed.

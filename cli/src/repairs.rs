@@ -2,12 +2,12 @@
 //! and polygons as triangles where there is no mesh without that.
 
 use crate::arguments::Arguments;
-use crate::exit_code::Failure;
+use crate::exit_code::{ExitCode, Failure};
 use crate::input::Input;
 use crate::numbers::counted;
-use crate::{holes, merging, part};
+use crate::{holes, merging, part, standard};
 use netmesh::io::Merged;
-use netmesh::{ErrorKind, HoleFilling, Mesh};
+use netmesh::{Error, ErrorKind, HoleFilling, Mesh};
 use std::fmt::{Display, Formatter};
 
 /// Results of the repairs; `None` where one was not asked for.
@@ -61,27 +61,44 @@ pub fn repair(input: &mut Input, arguments: &Arguments) -> Result<Repairs, Failu
 }
 
 /// Makes triangles of polygons if that is asked for, or if one is not plane; `mixed` have become
-/// some as they were read. Polygons that have no triangles stay: the run says what they lack.
+/// some as they were read. A diagnosis tells of polygons that have no triangles as they are.
 fn triangulate(
     mesh: &mut Mesh,
     mixed: usize,
     arguments: &Arguments,
 ) -> Result<Option<Split>, Failure> {
+    let name = standard::input_name(&arguments.input);
+    let refused = |error: Error| Failure::reading(&name, &error.of_content());
+    if mesh.given_facets().count() == 0 {
+        return match arguments.triangulate {
+            true => Err(Failure::new(
+                ExitCode::Usage,
+                format!("{name}: has no facets; --triangulate is for surfaces"),
+            )),
+            false => Ok(None),
+        };
+    }
     if arguments.triangulate {
-        let polygons = mesh.triangulate_facets()? + mixed;
+        let polygons = mesh.triangulate_facets().map_err(refused)? + mixed;
         return Ok(Some(Split { polygons, reason: Reason::Asked }));
     }
     if mixed > 0 {
         return Ok(Some(Split { polygons: mixed, reason: Reason::Mixed }));
     }
-    if mesh.given_facets().count() == 0 {
-        return Ok(None);
-    }
     let coplanar = part::options(arguments, mesh).coplanar;
     let Some(facet) = mesh.bent_polygon(coplanar)? else { return Ok(None) };
     match mesh.triangulate_facets() {
         Ok(polygons) => Ok(Some(Split { polygons, reason: Reason::Bent(facet) })),
-        Err(error) if error.kind() == ErrorKind::InvalidArgument => Ok(None),
-        Err(error) => Err(error.into()),
+        Err(error)
+            if error.kind() == ErrorKind::InvalidArgument && arguments.diagnose.is_some() =>
+        {
+            Ok(None)
+        }
+        Err(error) => {
+            let Failure { code, message } = refused(error);
+            let why =
+                format!("polygons have to become triangles, since facets[{facet}] is not plane");
+            Err(Failure::new(code, format!("{message}; {why}")))
+        }
     }
 }

@@ -278,8 +278,14 @@ fn polygons_become_triangles() {
     // A segment within a polygon would be lost.
     let base = pyramid().replacen("1 0 9\n4 1 2 3 4\n", "2 0 9\n4 1 2 3 4\n2 1 3\n", 1);
     bench.write("bent.poly", &base.replacen("3 4 4 0\n", "3 4 4 0.5\n", 1));
-    bench.run("bent.poly").assert_failure(4, &["is not plane", "split it into triangles"]);
-    bench.run("bent.poly --triangulate").assert_failure(2, &["facets have segments within"]);
+    let within = "bent.poly: facets have segments within";
+    let why = "polygons have to become triangles, since facets[0] is not plane";
+    bench.run("bent.poly").assert_failure(4, &[within, why]);
+    bench.run("bent.poly --triangulate").assert_failure(4, &[within]);
+    bench.run("bent.poly --diagnose bent.vtu").assert_success();
+    bench.write("points.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
+    let none = "points.xyz: has no facets; --triangulate is for surfaces";
+    bench.run("points.xyz --triangulate").assert_failure(2, &[none]);
     // Plane polygons are facets again; a facet keeps its marker.
     bench.write("pyramid.poly", &pyramid());
     bench.run("pyramid.poly --triangulate -q -o pyramid.node").assert_success();

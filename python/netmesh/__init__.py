@@ -6,6 +6,7 @@
 
 from . import _errors
 from ._delaunay import Delaunay
+from ._domain import Domain, domain
 from ._errors import (
     ArgumentTypeError,
     CancelledError,
@@ -22,13 +23,13 @@ from ._errors import (
     OutOfMemoryError,
     StateError,
 )
-from ._facets import close_holes, intersections, merge_points, odd_edges, triangulate_facets
 from ._filtration import Filtration
 from ._interpolator import LinearNDInterpolator
 from ._mesh import Mesh, mesh
 from ._netmesh import VERSION as __version__
 from ._netmesh import Progress
 from ._part import Part
+from ._repairs import close_holes, intersections, merge_points, odd_edges, triangulate_facets
 from ._results import (
     CSR,
     Facets,
@@ -54,6 +55,7 @@ __all__ = [
     "DegenerateInputError",
     "Delaunay",
     "DimensionError",
+    "Domain",
     "Error",
     "FaceClass",
     "Facets",
@@ -81,6 +83,7 @@ __all__ = [
     "Voronoi",
     "VoronoiCells",
     "close_holes",
+    "domain",
     "intersections",
     "merge_points",
     "mesh",

@@ -14,7 +14,7 @@ from ._errors import InvalidArgumentError
 _AXES = {2: "x, y", 3: "x, y, z"}
 
 
-def boundary_of(segments: Any, markers: Any, regions: Any, holes: Any, dim: int) -> tuple:
+def segments_and_regions(segments: Any, markers: Any, regions: Any, holes: Any, dim: int) -> tuple:
     """Return ends and markers of segments, and regions as (seed, label, largest edge, hole or not).
 
     Seeds have three coordinates, of which the last is 0 in the plane.

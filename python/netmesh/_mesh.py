@@ -8,17 +8,17 @@ from typing import Any, Literal, Optional
 import numpy as np
 
 from ._arrays import doubles, fixed, point_rows
-from ._boundary import boundary_of
 from ._exports import Exports
-from ._facets import facets_of, points_and_facets
 from ._features import Features
 from ._filtration import Filtration
+from ._input import boundary_of, domain_of, has_boundary
 from ._measures import Measures
 from ._netmesh import Core
 from ._part import Part
 from ._progress import reporter
 from ._queries import Queries
 from ._results import DOMAIN
+from ._sizes import size_of
 
 # Arguments of `mesh` beside the options.
 _NO_OPTIONS = (
@@ -81,10 +81,12 @@ def mesh(
 
     Parameters
     ----------
-    points : array_like of float, shape (n, dim), or a surface
+    points : array_like of float, shape (n, dim), a surface, or a `Domain`
         At least two distinct points. Arrays of doubles whose rows are contiguous are read where
         they are. Of an object with `vertices` and `faces`, such as a mesh of trimesh, both are
-        taken: the faces are the facets.
+        taken: the faces are the facets. A `Domain`, which `domain` makes of files and of what other
+        packages have, comes with segments, facets and markers of its own; `regions` and `holes`
+        add to its own.
     segments : array_like of int, shape (segments, 2), optional
         In 2D and 3D: pairs of points between which edges shall lie, split at points on the way.
     facets : array_like of int, shape (triangles, 3), or a sequence, optional
@@ -162,8 +164,10 @@ def mesh(
         Not in hierarchical meshes. From 0.05 to 1.
     size : float, array_like of float with shape (n,), or callable
         The length that edges shall have in the box of the points: everywhere, at each point and
-        linear between them, or as a function tells, which is called with an array of shape (dim,), at
-        most once for each vertex. Circumradii are at most those of regular simplices with such edges,
+        linear between them, or as a function tells: one of a point, an array of shape (dim,); of its
+        coordinates, ``f(x, y)`` in 2D; or of points, an array of shape (n, dim), which answers with
+        shape (n,) and is called once for all points, then with one row at a time. Interpolators are
+        such functions. It is called about once for each vertex. Circumradii are at most those of regular simplices with such edges,
         and most edges have between 0.6 times that length and that length. ``inf`` for no bound. An
         exception of the function is raised here.
     background : (Mesh, array_like of float with shape (vertices,)), optional
@@ -253,18 +257,14 @@ def mesh(
     True
     """
     given = {name: value for name, value in locals().items() if name not in _NO_OPTIONS}
-    if size is not None and not callable(size):
-        sizes = doubles(size, "size")
-        given["size"] = sizes if sizes.ndim else float(sizes)
     if isinstance(background, tuple) and len(background) == 2:
         given["background"] = background[0], doubles(background[1], "background")
-    points, facets = points_and_facets(points, facets)
-    boundary = None
-    if not all(value is None for value in (segments, facets, markers, facet_markers, regions, holes)):
-        points = point_rows(points)
-        boundary = boundary_of(segments, markers, regions, holes, points.shape[1])
-        boundary = (*boundary, facets_of(facets, facet_markers))
-    return Mesh._run(points, given, progress, boundary)
+    asked = domain_of(
+        points, segments, facets, markers=markers, facet_markers=facet_markers, regions=regions, holes=holes
+    )
+    rows = point_rows(asked.points)
+    boundary = boundary_of(asked, rows.shape[1]) if has_boundary(asked) else None
+    return Mesh._run(rows, given, progress, boundary)
 
 
 class Mesh(Exports, Features, Queries, Measures):
@@ -294,7 +294,11 @@ class Mesh(Exports, Features, Queries, Measures):
         cls, points: Any, options: dict, progress: Any = None, boundary: tuple | None = None
     ) -> Mesh:
         made = cls.__new__(cls)
-        made._core = Core(point_rows(points), reporter(progress), options, boundary)
+        rows = point_rows(points)
+        asked = options
+        if options.get("size") is not None:
+            asked = {**options, "size": size_of(options["size"], rows)}
+        made._core = Core(rows, reporter(progress), asked, boundary)
         made._options = options
         made._boundary = boundary
         return made

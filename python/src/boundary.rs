@@ -7,12 +7,14 @@ use netmesh::{Mesh, Region};
 use numpy::{PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 
-/// Ends and markers of segments; seeds, labels, largest edges and holes of regions; facets.
+/// Ends and markers of segments; seeds, labels, largest edges and holes of regions; facets; which
+/// segments are sides of polygons, if any are.
 pub type Boundary<'py> = (
     PyReadonlyArray2<'py, i64>,
     Option<PyReadonlyArray1<'py, i64>>,
     Vec<([f64; 3], i32, f64, bool)>,
     Option<Facets<'py>>,
+    Option<PyReadonlyArray1<'py, bool>>,
 );
 
 /// Starts of loops, none for triangles, and of the inputs of loops; inputs; markers.
@@ -24,7 +26,7 @@ type Facets<'py> = (
 );
 
 pub fn set_boundary(py: Python<'_>, mesh: &mut Mesh, boundary: &Boundary<'_>) -> PyResult<()> {
-    let (segments, markers, regions, facets) = boundary;
+    let (segments, markers, regions, facets, sides) = boundary;
     let mut ends = Vec::new();
     for (at, &end) in segments.as_array().iter().enumerate() {
         ends.push(u32::try_from(end).map_err(|_| {
@@ -40,9 +42,13 @@ pub fn set_boundary(py: Python<'_>, mesh: &mut Mesh, boundary: &Boundary<'_>) ->
     let markers = numbers(py, "markers", markers.as_ref())?;
     let region = |&(seed, label, max_edge, is_hole)| Region { seed, label, is_hole, max_edge };
     let regions: Vec<Region> = regions.iter().map(region).collect();
+    let sides = sides.as_ref().map(|sides| sides.as_array().to_vec());
     let set = in_default_environment(|| {
         if !ends.is_empty() {
             mesh.set_segments(&ends, markers.as_deref())?;
+        }
+        if let Some(sides) = &sides {
+            mesh.set_sides(sides)?;
         }
         if regions.is_empty() { Ok(()) } else { mesh.set_regions(&regions) }
     });

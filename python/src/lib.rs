@@ -11,6 +11,7 @@ mod making;
 mod options;
 mod progress;
 mod queries;
+mod reading;
 mod selection;
 mod shapes;
 mod sizes;
@@ -27,6 +28,8 @@ mod _netmesh {
     use crate::core::Core;
     #[pymodule_export]
     use crate::progress::Progress;
+    #[pymodule_export]
+    use crate::reading::{read_file, read_geojson};
     #[pymodule_export]
     use crate::topology::FiltrationCore;
 

@@ -124,13 +124,15 @@ fn values_of<'py>(
 
 /// Returns the number that a function has answered at the point `x`.
 fn size_of_answer(answer: &Bound<'_, PyAny>, x: &Bound<'_, PyArray1<f64>>) -> PyResult<f64> {
-    let is_float = answer.is_instance_of::<PyFloat>();
-    // An array of one element would do, with a warning of some versions of NumPy.
-    let has_axes = || answer.getattr("ndim").is_ok_and(|ndim| ndim.gt(0).unwrap_or(true));
-    if is_float || !has_axes() {
-        if let Ok(size) = answer.extract() {
-            return Ok(size);
-        }
+    // Interpolators answer with an array of one element, of which Python makes no float without a
+    // warning.
+    let has_axes = || answer.getattr("ndim").is_ok_and(|ndim| ndim.gt(0).unwrap_or(false));
+    let size = match answer.is_instance_of::<PyFloat>() || !has_axes() {
+        true => answer.extract(),
+        false => answer.call_method0("item").and_then(|element| element.extract()),
+    };
+    if let Ok(size) = size {
+        return Ok(size);
     }
     let message = format!("size answered {} at {x}; it must be a number", answer.repr()?);
     Err(wrong_type(answer.py(), message))

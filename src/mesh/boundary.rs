@@ -292,8 +292,15 @@ impl Segments {
 impl Mesh {
     /// Records which segments are sides of polygons, one value for each segment. If none is,
     /// nothing is recorded.
-    pub(crate) fn set_sides(&mut self, sides: &[bool]) -> AllocResult<()> {
-        debug_assert_eq!(sides.len(), self.segments.count());
+    ///
+    /// # Errors
+    /// `InvalidArgument`: not as many values as there are segments; `OutOfMemory`.
+    pub fn set_sides(&mut self, sides: &[bool]) -> Result<()> {
+        let (given, count) = (sides.len(), self.segments.count());
+        if given != count {
+            let message = message!("sides has {given} values; it must have one for each segment, {count}");
+            return Err(Error::new(ErrorKind::InvalidArgument, message));
+        }
         let any = sides.contains(&true);
         self.segments.sides = if any { copied(sides)? } else { Vec::new() };
         Ok(())

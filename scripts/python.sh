@@ -2,7 +2,7 @@
 
 readonly PYTHON_PACKAGES=(numpy==2.4.6 scipy==1.17.1 maturin==1.16.0 pytest==9.2.0 mypy==2.4.1 tqdm==4.70.1
   matplotlib==3.11.2 pyvista==0.49.1 "meshio==$MESHIO_VERSION" "vtk==$VTK_VERSION" gudhi==3.13.0 triangle==20250106
-  scikit-fem==12.0.2)
+  scikit-fem==12.0.2 shapely==2.2.0 geopandas==1.2.0 trimesh==5.2.0)
 
 # Builds the wheel from the source distribution, which so has what it needs, installs it into a fresh
 # environment and tests it there. The environment of the tools has what the tests compare with.

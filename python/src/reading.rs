@@ -36,9 +36,8 @@ fn content(py: Python<'_>, table: Table) -> PyResult<Bound<'_, PyDict>> {
     by_name.set_item("markers", PyArray1::from_vec(py, markers))?;
     by_name.set_item("sides", PyArray1::from_vec(py, sides))?;
     by_name.set_item("facets", (facets.count() > 0).then(|| facets_of(py, facets)))?;
-    let region = |region: &netmesh::Region| {
-        (region.seed, region.label, region.max_edge, region.is_hole)
-    };
+    let region =
+        |region: &netmesh::Region| (region.seed, region.label, region.max_edge, region.is_hole);
     by_name.set_item("regions", regions.iter().map(region).collect::<Vec<_>>())?;
     let LeftOut { edges, faces, cells } = left_out;
     by_name.set_item("left_out", (edges, faces, cells))?;

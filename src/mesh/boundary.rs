@@ -298,7 +298,8 @@ impl Mesh {
     pub fn set_sides(&mut self, sides: &[bool]) -> Result<()> {
         let (given, count) = (sides.len(), self.segments.count());
         if given != count {
-            let message = message!("sides has {given} values; it must have one for each segment, {count}");
+            let message =
+                message!("sides has {given} values; it must have one for each segment, {count}");
             return Err(Error::new(ErrorKind::InvalidArgument, message));
         }
         let any = sides.contains(&true);

@@ -1,15 +1,22 @@
 //! The code in the tutorial and in the recipes is that of the examples, which ctest builds and
 //! runs.
 //!
-//! A block of code follows a line `<!-- FILE: REGION -->`. In the file the region stands between a
-//! comment `[REGION]` and a comment `[end]`. `NETMESH_WRITE_PAGES=1 cargo test pages` copies the
+//! A block of code follows a line `<!-- FILE: REGION -->`, or is a session of Python, which the tests
+//! of the package run. In the file the region stands between a comment `[REGION]` and a comment
+//! `[end]`. `NETMESH_WRITE_PAGES=1 cargo test pages` copies the
 //! regions into the pages.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const PAGES: [&str; 4] = ["docs/tutorial.md", "docs/cpp.md", "docs/recipes.md", "docs/slivers.md"];
+const PAGES: [&str; 5] = [
+    "docs/tutorial.md",
+    "docs/cpp.md",
+    "docs/recipes.md",
+    "docs/slivers.md",
+    "docs/domains.md",
+];
 const EXAMPLES: [&str; 3] = ["examples/c", "examples/cpp", "examples/python"];
 
 fn root() -> PathBuf {
@@ -64,7 +71,7 @@ fn dedented(lines: &[String]) -> String {
 /// The page with each block's code as the examples have it, and the regions that it quotes.
 fn rewritten(page: &str) -> (String, BTreeSet<(String, String)>) {
     let text = read(page);
-    let mut lines = text.lines();
+    let mut lines = text.lines().peekable();
     let (mut result, mut quoted) = (String::new(), BTreeSet::new());
     let mut source: Option<(String, String)> = None;
     while let Some(line) = lines.next() {
@@ -74,6 +81,12 @@ fn rewritten(page: &str) -> (String, BTreeSet<(String, String)>) {
             let (file, region) = comment.split_once(": ").expect("FILE: REGION");
             source = Some((file.to_owned(), region.to_owned()));
         } else if line.starts_with("```") {
+            if source.is_none() && lines.peek().is_some_and(|first| first.starts_with(">>>")) {
+                let session = lines.by_ref().take_while(|line| !line.starts_with("```"));
+                session.for_each(|line| result += &format!("{line}\n"));
+                result += "```\n";
+                continue;
+            }
             let from = source
                 .take()
                 .unwrap_or_else(|| panic!("{page}: a block without its source: {line}"));

@@ -101,6 +101,23 @@ fn parameter(row: &Row) -> String {
     format!("    {}: {kind} = {default},\n", row.name)
 }
 
+/// Returns a list of the options in Python's docstring, by their groups.
+fn overview() -> String {
+    let line = |group: &Group| {
+        let mut names: Vec<_> = rows(&[*group]).map(|row| format!("`{}`", row.name)).collect();
+        let others: &[&str] = match group {
+            Group::Sizes => &["`size`", "`background`"],
+            Group::Run => &["`progress`"],
+            _ => &[],
+        };
+        names.extend(others.iter().map(|name| name.to_string()));
+        let text = wrapped(&format!("{}: {}.", group.heading(), names.join(", ")));
+        // The first line has the dash, the others are as far in as its text.
+        text.replacen("        ", "    - ", 1).replace("        ", "      ")
+    };
+    Group::ALL.iter().map(line).collect::<String>() + "\n"
+}
+
 /// Returns the description of an option in Python's docstring.
 fn description(row: &Row) -> String {
     let kind = match row.kind {
@@ -140,6 +157,7 @@ fn pythons_keywords_are_the_rows() {
     let ends = [["    criterion: ", "    size: "], ["    output: ", "    progress: "]];
     hold(file, "def mesh(", ends[0], &signature(&FIRST));
     hold(file, "def mesh(", ends[1], &signature(&LAST));
+    hold(file, "def mesh(", ["    - Quality: ", "    Parameters"], &overview());
     let descriptions = |groups: &[Group]| rows(groups).map(description).collect::<String>();
     let ends = [["    criterion : ", "    size : "], ["    output : ", "    progress : "]];
     hold(file, "    Parameters", ends[0], &descriptions(&FIRST));

@@ -10,12 +10,13 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const PAGES: [&str; 5] = [
+const PAGES: [&str; 6] = [
     "docs/tutorial.md",
     "docs/cpp.md",
     "docs/recipes.md",
     "docs/slivers.md",
     "docs/domains.md",
+    "docs/python_jobs.md",
 ];
 const EXAMPLES: [&str; 3] = ["examples/c", "examples/cpp", "examples/python"];
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional
+from typing import Any, Literal, Optional
 
 import numpy as np
 
@@ -42,7 +42,7 @@ class Measures:
 
     def quality_histogram(
         self,
-        measure: str = "dihedral_angle",
+        measure: Literal["dihedral_angle", "radius_edge", "aspect", "smallest_angle"] = "dihedral_angle",
         bins: Any = None,
         range: Optional[tuple[float, float]] = None,
         *,

@@ -79,6 +79,16 @@ def mesh(
     within `quality_bound`. It depends on the points and the options alone, not on `threads`.
     `Mesh.parameters` tells what the defaults, 0 and 'auto', have become.
 
+    - Points and their domain: `points`, `segments`, `facets`, `markers`, `facet_markers`, `regions`,
+      `holes`.
+    - Quality: `criterion`, `quality_bound`, `min_angle`, `min_dihedral`, `gives_way`.
+    - Domain: `extent`, `interior`, `crossings`, `coplanar`, `labels`.
+    - Sizes: `max_edge`, `size_from_curvature`, `distance_ratio`, `size`, `background`.
+    - Algorithm: `output`, `algorithm`.
+    - Run: `threads`, `instruments`, `seed`, `max_vertices`, `progress`.
+    - Constants of the paper: `ordering`, `epsilon`, `delta`, `gamma`, `yield_radius`,
+      `encroachment`, `cage_scale`, `root_scale`.
+
     Parameters
     ----------
     points : array_like of float, shape (n, dim), a surface, or a `Domain`
@@ -423,7 +433,7 @@ class Mesh(Exports, Features, Queries, Measures):
         domains["center"], domains["parent"], domains["radius"] = centers, parents, radii
         return domains
 
-    def placements(self, extent: str = "hull") -> np.ndarray:
+    def placements(self, extent: Literal["hull", "box"] = "hull") -> np.ndarray:
         """Tell of each simplex whether it is inside the inputs' hull or box, exactly.
 
         Parameters
@@ -447,7 +457,11 @@ class Mesh(Exports, Features, Queries, Measures):
         return self._core.placements(extent)
 
     def part(
-        self, extent: str = "all", *, across: bool = False, domain: Optional[int] = None
+        self,
+        extent: Literal["all", "hull", "box"] = "all",
+        *,
+        across: bool = False,
+        domain: Optional[int] = None,
     ) -> Part:
         """Pick some of the simplices.
 
@@ -469,7 +483,7 @@ class Mesh(Exports, Features, Queries, Measures):
         """
         return Part(self._core, (extent, bool(across), domain))
 
-    def filtration(self, kind: str = "alpha", *, threads: int = 1) -> Filtration:
+    def filtration(self, kind: Literal["alpha", "mesh"] = "alpha", *, threads: int = 1) -> Filtration:
         """Make the faces of all dimensions, with the values of a filtration.
 
         Parameters

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -46,7 +46,7 @@ class Queries:
         return found.reshape(points.shape[:-1])
 
     def nearest(
-        self, points: Any, *, among: str = "vertices", threads: int = 1
+        self, points: Any, *, among: Literal["vertices", "inputs"] = "vertices", threads: int = 1
     ) -> tuple[np.ndarray, np.ndarray]:
         """Find the nearest vertices, or the nearest of the caller's points, and how far they are.
 
@@ -80,8 +80,8 @@ class Queries:
         values: Any,
         points: Any,
         *,
-        interpolation: str = "linear",
-        outside: str = "nan",
+        interpolation: Literal["linear", "sibson", "laplace"] = "linear",
+        outside: Literal["nan", "nearest"] = "nan",
         threads: int = 1,
     ) -> np.ndarray:
         """Interpolate values that are given at the vertices.

@@ -1,10 +1,9 @@
 //! The code in the tutorial and in the recipes is that of the examples, which ctest builds and
 //! runs.
 //!
-//! A block of code follows a line `<!-- FILE: REGION -->`, or is a session of Python, which the tests
-//! of the package run. In the file the region stands between a comment `[REGION]` and a comment
-//! `[end]`. `NETMESH_WRITE_PAGES=1 cargo test pages` copies the
-//! regions into the pages.
+//! A block of code follows a line `<!-- FILE: REGION -->`, or is a session of Python, which the
+//! tests of the package run. In the file the region stands between a comment `[REGION]` and a
+//! comment `[end]`. `NETMESH_WRITE_PAGES=1 cargo test pages` copies the regions into the pages.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

@@ -47,9 +47,9 @@ def kept_array_examples(module):
 
 
 def test_examples_of_kept_arrays_are_found():
-    from netmesh import _part
+    from netmesh import _derived
 
-    assert sum(len(test.examples) for test in kept_array_examples(_part)) > 20
+    assert sum(len(test.examples) for test in kept_array_examples(_derived)) > 20
 
 
 def test_everything_public_is_described():

@@ -215,7 +215,8 @@ class Exports(Arrays):
                 raise InvalidArgumentError("regions is True; the mesh has no segments or facets")
             return Colors("regions", labels, "region")
         if by is not None:
-            return Colors("simplices", self._measure(by), by)
+            name = {"quality": "smallest angle"}.get(by, by)
+            return Colors("simplices", self._measure(by), name)
         return None if values is None else self._given_colors(values)
 
     def _given_colors(self, values: Any) -> Colors:

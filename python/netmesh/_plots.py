@@ -196,7 +196,9 @@ def refuse_others(dim: int, **given: Any) -> None:
 
 def smallest_angles(points: np.ndarray, cells: np.ndarray) -> np.ndarray:
     """Return the smallest angle of each triangle, or dihedral angle of each tetrahedron, in degrees."""
-    corners = points[cells]
+    corners = points[cells] - points[cells[:, :1]]
+    # Products of the smallest and the largest lengths are none of doubles.
+    corners /= np.abs(corners).max(axis=(1, 2), keepdims=True, initial=0.0)
     if cells.shape[1] == 3:
         ahead = np.roll(corners, -1, axis=1) - corners
         behind = np.roll(corners, 1, axis=1) - corners

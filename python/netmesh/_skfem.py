@@ -20,10 +20,8 @@ def to_skfem(core: Core) -> Any:
     kind = skfem.MeshTri1 if dim == 2 else skfem.MeshTet1
     made = kind(np.ascontiguousarray(core.points.T), np.ascontiguousarray(core.simplices.T))
     subdomains = _groups("region", core.simplex_regions)
-    if not (len(core.simplex_regions) or len(core.segments) or len(core.facet_triangles)):
+    if not subdomains:
         subdomains = {"mesh": np.arange(len(core.simplices), dtype=np.int32)}
-    elif not len(core.simplex_regions):
-        subdomains = {"region_0": np.arange(len(core.simplices), dtype=np.int32)}
     if dim == 2:
         features, markers, behind = core.segments, core.segment_markers(), _left_of_segments(core)
     else:

@@ -28,7 +28,9 @@ impl Made {
     ) -> Result<T> {
         match selection {
             None => measure(self.triangulation()),
-            Some(selection) => measure(&self.prepared.part(&self.mesh, &selection)?.to_measure()?),
+            Some(selection) => {
+                measure(&self.prepared.part(&self.mesh, &selection)?.for_measures()?)
+            }
         }
     }
 
@@ -49,6 +51,9 @@ impl Made {
         let mut row_of = vec![NONE; mesh.simplex_count()];
         part.simplices().zip(0..).for_each(|(simplex, row)| row_of[simplex as usize] = row);
         for (place, row) in places.into_iter().zip(rows) {
+            if work.stop.is_set() {
+                break;
+            }
             *row = least_row(mesh, place, &row_of);
         }
         Ok(())

@@ -22,6 +22,14 @@ def test_the_page(tmp_path, monkeypatch):
     assert failed == 0 and attempted > 10
 
 
+def test_the_page_of_other_packages(tmp_path, monkeypatch):
+    for needed in ("matplotlib", "meshio", "pyvista", "shapely", "skfem"):
+        pytest.importorskip(needed)
+    monkeypatch.chdir(tmp_path)
+    failed, attempted = run_page.run(PAGE.with_name("python_packages.md"))
+    assert failed == 0 and attempted > 20
+
+
 @pytest.mark.parametrize("name", MODULES)
 def test_the_examples_of(name):
     module = importlib.import_module(name)

@@ -73,7 +73,7 @@ def test_points_are_located_in_the_part_alone(dim, random):
         corners = m.points[m.simplices]
         edges = (corners[:, 0] + corners[:, 1])[:: 1 + len(corners) // 60] / 2
         middles = corners.mean(axis=1)[:: 1 + len(corners) // 60]
-        queries = np.concatenate([m.points, edges, middles, random.random((20, dim))])
+        queries = np.concatenate([m.points[::5], part.points[:30], edges, middles, random.random((20, dim))])
         found = part.locate(queries)
         for query, row in zip(queries, found):
             expected = holders(part.points, part.cells, query)
@@ -209,11 +209,12 @@ def test_parts_are_written_and_shown_alike(random, tmp_path):
     own = part.to_meshio({"height": heights[part.vertices]}, {"volume": volumes[part.simplices]})
     assert (own.point_data["height"] == made.point_data["height"]).all()
     assert (own.cell_data["volume"][0] == made.cell_data["volume"][0]).all()
-    with pytest.raises(netmesh.InvalidArgumentError, match=r"^point_data\['x'\] has shape \(3,\); it must be"):
+    rule = r" has shape \(3,\); it must be"
+    with pytest.raises(netmesh.InvalidArgumentError, match=r"^point_data\['x'\]" + rule):
         part.to_meshio({"x": [1, 2, 3]})
-    with pytest.raises(netmesh.InvalidArgumentError, match=r"^cell_data\['x'\] has shape \(3,\); it must be"):
+    with pytest.raises(netmesh.InvalidArgumentError, match=r"^cell_data\['x'\]" + rule):
         part.to_meshio(None, {"x": [1, 2, 3]})
-    with pytest.raises(netmesh.InvalidArgumentError, match=r"^attribute x has shape \(3,\); it must be"):
+    with pytest.raises(netmesh.InvalidArgumentError, match="^attribute x" + rule):
         part.export(tmp_path / "own.vtu", attributes={"x": [1, 2, 3]})
 
 

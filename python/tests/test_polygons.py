@@ -52,7 +52,8 @@ def test_rings_that_touch_in_points(random):
         row_of = np.full(len(m.simplices) + 1, -1)
         row_of[chosen] = np.arange(len(chosen))
         rings = rings_of(m.points, m.simplices[chosen], row_of[m.neighbors[chosen]])
-        polygons = [shapely.Polygon(m.points[outer], [m.points[hole] for hole in holes]) for outer, holes in rings]
+        places = [(m.points[outer], [m.points[hole] for hole in holes]) for outer, holes in rings]
+        polygons = [shapely.Polygon(outer, holes) for outer, holes in places]
         hold_union(polygons, m.points[m.simplices[chosen]])
         touching += sum(len(set(outer) & set(hole)) for outer, holes in rings for hole in holes)
         for outer, holes in rings:

@@ -9,7 +9,8 @@ meshio = pytest.importorskip("meshio")
 io = pytest.importorskip("skfem.io.meshio")
 
 RINGS = np.array([[0, 0], [3, 0], [3, 3], [0, 3], [1, 1], [2, 1], [2, 2], [1, 2]], float)
-SIDES = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [6, 5], [6, 7], [4, 7]]
+# The domain is on the left of the first sides, and on the right of the fourth.
+SIDES = [[0, 1], [1, 2], [2, 3], [0, 3], [4, 5], [6, 5], [6, 7], [4, 7]]
 
 
 def plate(**options):
@@ -23,7 +24,8 @@ def halves():
     walls = [[0, 1, 3, 2], [8, 10, 11, 9], [4, 5, 7, 6], [0, 4, 8, 9, 5, 1], [2, 3, 7, 11, 10, 6]]
     walls += [[0, 2, 6, 10, 8, 4], [1, 5, 9, 11, 7, 3]]
     regions = [(0.5, 0.5, 0.5, 1), (1.5, 0.5, 0.5, 2)]
-    return netmesh.mesh(box, [[0, 3]], walls, markers=[9], facet_markers=[1, 2, 30, 4, 4, 0, -7], regions=regions)
+    numbers = [1, 2, 30, 4, 4, 0, -7]
+    return netmesh.mesh(box, [[0, 3]], walls, markers=[9], facet_markers=numbers, regions=regions)
 
 
 def faces(mesh, name):

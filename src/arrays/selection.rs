@@ -147,13 +147,13 @@ impl<'a> Part<'a> {
     }
 
     /// Returns a triangulation of the part's simplices, numbered anew, with all vertices of the
-    /// mesh under their numbers, for [`crate::quality`]: domains have their centres, vertices of no
+    /// mesh under their numbers, for measures of quality: domains have their centres, vertices of no
     /// simplex have no cell, and of the simplices at the part's boundary only those at the outer
     /// cage of the mesh are not measured.
     ///
     /// # Errors
     /// `OutOfMemory`.
-    pub fn to_measure(&self) -> Result<Triangulation> {
+    pub fn for_measures(&self) -> Result<Triangulation> {
         let mesh = self.mesh;
         let ids = collected(self.simplices())?;
         let mut new_simplex = filled(mesh.simplex_count(), NONE)?;

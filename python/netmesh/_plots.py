@@ -239,14 +239,14 @@ def plot_shape(
         return _plot_flat_shape(shape, mesh.points[mesh.simplices[shape.simplices]], lone, ax, arguments)
     import pyvista
 
-    triangles = np.concatenate([shape.boundary, lone])
-    surface = pyvista.PolyData.from_regular_faces(shape.points, triangles.astype(np.int64))
+    triangles: Any = np.concatenate([shape.boundary, lone]).astype(np.int64)
+    surface = pyvista.PolyData.from_regular_faces(shape.points, triangles)
     plotter = space_plotter(plotter, off_screen)
     plotter.add_mesh(surface.clean(), **{"show_edges": True, **in_space(arguments)})
     return plotter
 
 
-def _plot_flat_shape(shape: Any, corners: np.ndarray, lone: np.ndarray, ax: Any, arguments: dict) -> Any:
+def _plot_flat_shape(shape: Any, corners: Any, lone: np.ndarray, ax: Any, arguments: dict) -> Any:
     from matplotlib.collections import LineCollection, PolyCollection
 
     ax = plane_axes(ax)

@@ -18,7 +18,7 @@ def to_skfem(core: Core) -> Any:
 
     dim = core.points.shape[1]
     kind = skfem.MeshTri1 if dim == 2 else skfem.MeshTet1
-    made = kind(np.ascontiguousarray(core.points.T), np.ascontiguousarray(core.simplices.T))
+    made = kind(core.points.T.copy(), core.simplices.T.copy())
     subdomains = _groups("region", core.simplex_regions)
     if not subdomains:
         subdomains = {"mesh": np.arange(len(core.simplices), dtype=np.int32)}

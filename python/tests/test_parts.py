@@ -109,6 +109,22 @@ def test_points_are_located_in_a_part_of_a_cropped_mesh(random):
         assert row == (expected[0] if expected else -1)
 
 
+def test_faces_are_located_across_holes():
+    # Two holes leave the inside of the hull and the outside no facet in common at a corner.
+    corners = np.array([[0, 0], [4, 0], [4, 4], [0, 4], [3, 1], [1, 3]], float)
+    sides = [[0, 1], [1, 4], [4, 0], [0, 3], [3, 5], [5, 0]]
+    found_elsewhere = 0
+    for turns in range(4):
+        turned = corners @ np.linalg.matrix_power([[0, 1], [-1, 0]], turns)
+        holes = [turned[[0, 1, 4]].mean(axis=0), turned[[0, 3, 5]].mean(axis=0)]
+        m = netmesh.mesh(turned, sides, holes=holes, extent="all")
+        for part in (m.part("hull"), m.part("hull", across=True)):
+            found_elsewhere += m.locate(turned[0]) not in part.simplices
+            for query, row in zip(part.points, part.locate(part.points)):
+                assert row == holders(part.points, part.cells, query)[0]
+    assert found_elsewhere > 0
+
+
 def radius_edges(m, part):
     corners = part.points[part.cells]
     count = corners.shape[1]

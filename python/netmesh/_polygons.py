@@ -17,7 +17,7 @@ def rings_of(points: np.ndarray, triangles: np.ndarray, neighbors: np.ndarray) -
     of points, each once; they touch each other in single points at most.
     """
     pieces = _pieces(neighbors)
-    found: list[list] = [[] for _ in range(pieces.max(initial=-1) + 1)]
+    found: list[list] = [[] for _ in range(max(pieces, default=-1) + 1)]
     for first, walk in _walks(triangles, neighbors):
         found[pieces[first // 3]].extend(_simple_rings(walk))
     for rings in found:
@@ -26,9 +26,9 @@ def rings_of(points: np.ndarray, triangles: np.ndarray, neighbors: np.ndarray) -
     return [(rings[0], rings[1:]) for rings in found]
 
 
-def _pieces(neighbors: np.ndarray) -> np.ndarray:
+def _pieces(neighbors: np.ndarray) -> list:
     """Return the number of the piece that each triangle is in."""
-    piece_of = np.full(len(neighbors), -1)
+    piece_of = [-1] * len(neighbors)
     rows, count = neighbors.tolist(), 0
     for first in range(len(rows)):
         if piece_of[first] >= 0:
@@ -50,14 +50,13 @@ def _walks(triangles: np.ndarray, neighbors: np.ndarray) -> Iterator[tuple[int, 
     Side 3 t + i is opposite vertex i of triangle t.
     """
     following = _following(triangles, neighbors)
-    is_left = (neighbors < 0).ravel()
-    for first in np.flatnonzero(is_left).tolist():
+    begins = np.roll(triangles, -1, axis=1).ravel()
+    begin_of = dict(zip(following, begins[list(following)].tolist()))
+    for first in begin_of:
         walk, side = [], first
-        while is_left[side]:
-            is_left[side] = False
-            triangle, i = divmod(side, 3)
-            walk.append(int(triangles[triangle, (i + 1) % 3]))
-            side = following[side]
+        while side in following:
+            walk.append(begin_of[side])
+            side = following.pop(side)
         if walk:
             yield first, walk
 

@@ -44,7 +44,7 @@ impl Core {
 
 #[pymethods]
 impl Core {
-    /// Returns the simplex of each point, -1 outside; with a selection its place among the selected.
+    /// Returns the simplex of each point, -1 outside; with a selection its row among the selected.
     fn locate<'py>(
         &self,
         py: Python<'py>,

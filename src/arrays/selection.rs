@@ -147,8 +147,8 @@ impl<'a> Part<'a> {
     }
 
     /// Returns a triangulation of the part's simplices, numbered anew, with all vertices of the
-    /// mesh under their numbers, for measures of quality: domains have their centres, vertices of no
-    /// simplex have no cell, and of the simplices at the part's boundary only those at the outer
+    /// mesh under their numbers, for measures of quality: domains have their centres, vertices of
+    /// no simplex have no cell, and of the simplices at the part's boundary only those at the outer
     /// cage of the mesh are not measured.
     ///
     /// # Errors
@@ -175,7 +175,8 @@ impl<'a> Part<'a> {
         if mesh.parameters.extent == Extent::All {
             let all = mesh.boundary.whole.as_deref().unwrap_or(mesh);
             whole.kinds = copied(&all.kinds)?;
-            (whole.simplices, whole.neighbors) = (copied(&all.simplices)?, copied(&all.neighbors)?);
+            whole.simplices = copied(&all.simplices)?;
+            whole.neighbors = copied(&all.neighbors)?;
         }
         part.boundary = Boundary {
             flat: renumbered(&mesh.boundary.flat, &new_simplex)?,

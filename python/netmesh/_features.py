@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import functools
+
 import numpy as np
 
+from ._arrays import fixed
 from ._netmesh import Core
 
 
@@ -33,6 +36,21 @@ class Features:
         """
         return self._core.segment_parents
 
+    @functools.cached_property
+    def segment_markers(self) -> np.ndarray:
+        """Marker of the segment that each edge of `segments` is a part of, int32, shape (edges,).
+
+        0 for edges of a hull or box, and in 3D for edges of facets that are no segments.
+
+        Examples
+        --------
+        >>> import netmesh
+        >>> m = netmesh.mesh([[0, 0], [4, 0], [0, 3]], [[0, 1], [1, 2], [2, 0]], markers=[5, 6, 7])
+        >>> set(m.segment_markers.tolist())
+        {5, 6, 7}
+        """
+        return fixed(self._core.segment_markers())
+
     @property
     def facet_triangles(self) -> np.ndarray:
         """Triangles that facets have become, int32, shape (triangles, 3).
@@ -59,6 +77,23 @@ class Features:
         Of triangles that are one facet the first; -1 for the boundary of a hull or box.
         """
         return self._core.facet_parents
+
+    @functools.cached_property
+    def facet_markers(self) -> np.ndarray:
+        """Marker of the facet that each of `facet_triangles` is a part of, int32, shape (triangles,).
+
+        0 for the boundary of a hull or box.
+
+        Examples
+        --------
+        >>> import netmesh
+        >>> points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+        >>> facets = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]
+        >>> m = netmesh.mesh(points, facets=facets, facet_markers=[1, 1, 1, 9])
+        >>> bool((m.points[m.facet_triangles[m.facet_markers == 9], 0] == 0).all())
+        True
+        """
+        return fixed(self._core.facet_markers())
 
     @property
     def facet_simplices(self) -> np.ndarray:

@@ -18,6 +18,8 @@ from ._shape import AlphaShape
 class Filtration:
     """The faces of a mesh, each with a value. `Mesh.filtration` makes it; nothing changes it.
 
+    It pickles as its mesh and the kind.
+
     Vertices are numbered as `points` are: for the kind 'alpha' as the caller's points, of equal ones
     the first; for the kind 'mesh', where some are no inputs, as the vertices of the mesh.
     A face is named by its dimension and its place in `faces`.
@@ -35,10 +37,21 @@ class Filtration:
     (array([4.  , 2.25, 6.25]), array([6.25]))
     """
 
-    def __init__(self, core: FiltrationCore, kind: str) -> None:
-        self._core = core
+    def __init__(self, mesh: Any, kind: str, threads: int = 1) -> None:
+        self._mesh = mesh
+        self._core: FiltrationCore = mesh._core.filtration(kind, threads)
         #: 'alpha' or 'mesh'.
         self.kind = kind
+
+    def __reduce__(self) -> tuple:
+        # The same mesh has the same faces and values.
+        return Filtration, (self._mesh, self.kind)
+
+    def __copy__(self) -> Filtration:
+        return self
+
+    def __deepcopy__(self, memo: dict) -> Filtration:
+        return self
 
     @property
     def dim(self) -> int:
@@ -169,13 +182,13 @@ class Filtration:
             )
         if isinstance(alpha, str):
             if alpha == "connected":
-                return AlphaShape(self._core, self._core.connecting_alpha())
+                return AlphaShape(self, self._core.connecting_alpha())
             if alpha == "optimal":
-                return AlphaShape(self._core, self._core.optimal_alpha(components))
+                return AlphaShape(self, self._core.optimal_alpha(components))
             raise InvalidArgumentError(
                 f"alpha is {alpha!r}; it must be a number, 'connected' or 'optimal'"
             )
-        return AlphaShape(self._core, self._core.checked_alpha(number(alpha, "alpha")))
+        return AlphaShape(self, self._core.checked_alpha(number(alpha, "alpha")))
 
     def to_gudhi(self) -> Any:
         """Return a ``gudhi.SimplexTree`` of the faces and values. Needs the package gudhi.

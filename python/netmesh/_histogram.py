@@ -4,29 +4,32 @@ from __future__ import annotations
 
 import math
 import operator
-from typing import Any, Optional
+from typing import Any, Callable, Optional
 
 import numpy as np
 
 from ._arrays import doubles
 from ._errors import ArgumentTypeError, InvalidArgumentError
-from ._netmesh import Core
 
 #: The angles that measures in degrees may have.
 _RANGES = {"dihedral_angle": (0.0, 180.0), "smallest_angle": (0.0, 90.0)}
 
+#: A function of edges that counts below the first, in the bins and above the last, and answers with
+#: the least and the largest value, too.
+_Count = Callable[[list], tuple[np.ndarray, float, float]]
+
 
 def histogram(
-    core: Core, measure: str, bins: Any, extent: Optional[tuple[float, float]], hull: bool
+    count: _Count, measure: str, bins: Any, extent: Optional[tuple[float, float]]
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the counts and the edges that `Mesh.quality_histogram` answers with."""
-    edges = _edges(core, measure, 18 if bins is None else bins, extent, hull)
-    counts, _, _ = core.quality_histogram(measure, hull, edges.tolist())
+    edges = _edges(count, measure, 18 if bins is None else bins, extent)
+    counts, _, _ = count(edges.tolist())
     return counts[1:-1], edges
 
 
 def _edges(
-    core: Core, measure: str, bins: Any, extent: Optional[tuple[float, float]], hull: bool
+    count: _Count, measure: str, bins: Any, extent: Optional[tuple[float, float]]
 ) -> np.ndarray:
     edges = doubles(0 if isinstance(bins, str) else bins, "bins")
     if edges.ndim > 0:
@@ -35,7 +38,7 @@ def _edges(
         _check_edges(edges.tolist())
         return edges
     if extent is None:
-        extent = _RANGES.get(measure) or _extremes(core, measure, hull)
+        extent = _RANGES.get(measure) or _extremes(count)
     else:
         extent = _checked_range(extent)
     # NumPy widens a range of no width.
@@ -72,6 +75,6 @@ def _checked_range(extent: Any) -> tuple[float, float]:
     return low, high
 
 
-def _extremes(core: Core, measure: str, hull: bool) -> tuple[float, float]:
-    counts, least, largest = core.quality_histogram(measure, hull, [0.0])
+def _extremes(count: _Count) -> tuple[float, float]:
+    counts, least, largest = count([0.0])
     return (least, largest) if counts.sum() > 0 else (0.0, 1.0)

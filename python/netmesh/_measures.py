@@ -11,26 +11,18 @@ from ._netmesh import Core
 from ._results import Quality, Report, Stats, Violation
 
 
-class Measures:
-    """Figures that are taken of a mesh."""
+class Figures:
+    """Figures of the quality of a mesh, or of a part of it."""
 
     _core: Core
-
-    @property
-    def stats(self) -> Stats:
-        """Figures of what the run did.
-
-        Examples
-        --------
-        >>> import netmesh
-        >>> stats = netmesh.mesh([[0, 0], [1, 0], [0, 1]]).stats
-        >>> stats.input_vertices, stats.cage_vertices > 0
-        (3, True)
-        """
-        return Stats(**self._core.stats())
+    _selection: Optional[tuple[str, bool, Optional[int]]] = None
 
     def quality(self) -> Quality:
         """Measure the quality. O(vertices + simplices).
+
+        Figures of a part are those of its simplices and of Voronoi cells off its boundary; a cage
+        counts with the corners that the part has. As in a mesh that is cropped, simplices at the
+        boundary of the part count, but not those at the outer cage of the mesh.
 
         Examples
         --------
@@ -38,7 +30,7 @@ class Measures:
         >>> netmesh.mesh([[0, 0], [1, 0], [0, 1]]).quality().worst_aspect_anywhere <= 3
         True
         """
-        return Quality(**self._core.quality())
+        return Quality(**self._core.quality(self._selection))
 
     def quality_histogram(
         self,
@@ -81,7 +73,28 @@ class Measures:
         >>> m.quality_histogram("aspect", bins=6, range=(1, 4))[1]
         array([1. , 1.5, 2. , 2.5, 3. , 3.5, 4. ])
         """
-        return histogram(self._core, measure, bins, range, hull)
+
+        def count(edges: list) -> tuple[np.ndarray, float, float]:
+            return self._core.quality_histogram(measure, hull, edges, self._selection)
+
+        return histogram(count, measure, bins, range)
+
+
+class Measures(Figures):
+    """Figures that are taken of a whole mesh."""
+
+    @property
+    def stats(self) -> Stats:
+        """Figures of what the run did.
+
+        Examples
+        --------
+        >>> import netmesh
+        >>> stats = netmesh.mesh([[0, 0], [1, 0], [0, 1]]).stats
+        >>> stats.input_vertices, stats.cage_vertices > 0
+        (3, True)
+        """
+        return Stats(**self._core.stats())
 
     def validate(self, level: int = 3) -> Report:
         """Check the mesh from its arrays alone, with exact arithmetic.

@@ -364,6 +364,11 @@ class Mesh(Exports, Features, Queries, Measures):
         return self._core.simplices
 
     @property
+    def cells(self) -> np.ndarray:
+        """Rows of `points` that each simplex has: `simplices`, under the name that parts have, too."""
+        return self._core.simplices
+
+    @property
     def neighbors(self) -> np.ndarray:
         """Neighbours of simplices, int32, shape (simplices, dim + 1).
 
@@ -481,7 +486,7 @@ class Mesh(Exports, Features, Queries, Measures):
         >>> bool(m.volumes.sum() > 30), bool(np.isclose(m.part("hull").volumes.sum(), 1))
         (True, True)
         """
-        return Part(self._core, (extent, bool(across), domain))
+        return Part(self, (extent, bool(across), domain))
 
     def filtration(self, kind: Literal["alpha", "mesh"] = "alpha", *, threads: int = 1) -> Filtration:
         """Make the faces of all dimensions, with the values of a filtration.
@@ -516,4 +521,4 @@ class Mesh(Exports, Features, Queries, Measures):
         >>> 1 < near.factor < 3
         True
         """
-        return Filtration(self._core.filtration(kind, threads), kind)
+        return Filtration(self, kind, threads)

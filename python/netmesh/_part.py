@@ -1,169 +1,29 @@
-"""Arrays that are made of a mesh's on request, of all of it or of a part."""
+"""Parts of a mesh, which are meshes of their own."""
 
 from __future__ import annotations
 
 import functools
-import os
-from typing import Optional, Union
+from typing import Any, Optional
 
 import numpy as np
 
-from ._arrays import fixed, vertex_columns
+from ._arrays import array, data, fixed, value_columns, vertex_columns
+from ._exports import Exports
+from ._measures import Figures
 from ._netmesh import Core
-from ._results import CSR, Facets, VoronoiCells
+from ._queries import Locations
 
 
-class Arrays:
-    """Arrays that are made when they are asked for, and kept. They are read-only."""
+class Part(Exports, Locations, Figures):
+    """Part of a mesh's simplices, which is a mesh of its own: `Mesh.part` picks them.
 
-    _core: Core
-    #: Extent, True if what is across belongs to it, and domain; None for all simplices.
-    _selection: Optional[tuple[str, bool, Optional[int]]] = None
+    Its hull is its boundary. It has its own vertices and cells, `points` and `cells`, by which
+    `locate` answers, and other packages and files number what they get; `vertices` and `simplices`
+    are their ids in the mesh. Arrays that are made on request have a row for each cell of the part,
+    in the same order, but name vertices and simplices by their ids in the mesh: ``edges``,
+    ``facets``, ``hull``, ``voronoi`` and the lists, which are of all vertices of the mesh.
 
-    def _export(
-        self, path: Union[str, os.PathLike], format: str, attributes: Optional[dict]
-    ) -> None:
-        columns = [
-            (name, vertex_columns(values, self._core, f"attribute {name}"))
-            for name, values in (attributes or {}).items()
-        ]
-        self._core.export(path, format, self._selection, columns)
-
-    @functools.cached_property
-    def edges(self) -> np.ndarray:
-        """Edges, int32, shape (edges, 2): the lesser vertex first, in lexicographic order.
-
-        Examples
-        --------
-        >>> import netmesh
-        >>> netmesh.mesh([[0, 0], [1, 0], [0, 1]], algorithm="delaunay").edges
-        array([[0, 1],
-               [0, 2],
-               [1, 2]], dtype=int32)
-        """
-        return fixed(self._core.edges(self._selection))
-
-    @functools.cached_property
-    def facets(self) -> Facets:
-        """Facets, and the two simplices of each; -1 on the hull.
-
-        Examples
-        --------
-        >>> import netmesh
-        >>> m = netmesh.mesh([[0, 0], [1, 0], [0, 1], [1, 1.5]], algorithm="delaunay")
-        >>> len(m.facets.vertices), int((m.facets.simplices[:, 1] >= 0).sum())
-        (5, 1)
-        """
-        return Facets(*map(fixed, self._core.facets(self._selection)))
-
-    @functools.cached_property
-    def hull(self) -> Facets:
-        """Facets of the convex hull, oriented outwards, and the simplex of each.
-
-        Examples
-        --------
-        >>> import netmesh
-        >>> m = netmesh.mesh([[0, 0], [1, 0], [0, 1], [1, 1.5]], algorithm="delaunay")
-        >>> m.hull.vertices.shape, m.hull.simplices.shape
-        ((4, 2), (4,))
-        """
-        return Facets(*map(fixed, self._core.hull(self._selection)))
-
-    @functools.cached_property
-    def vertex_simplices(self) -> CSR:
-        """Simplices of each vertex, ascending.
-
-        Examples
-        --------
-        >>> import netmesh
-        >>> m = netmesh.mesh([[0, 0], [1, 0], [0, 1], [1, 1.5]], algorithm="delaunay")
-        >>> indptr, indices = m.vertex_simplices
-        >>> indices[indptr[1]:indptr[2]]
-        array([0, 1], dtype=int32)
-        """
-        indptr, indices = self._core.vertex_simplices(self._selection)
-        return CSR(fixed(indptr), fixed(indices))
-
-    @functools.cached_property
-    def vertex_neighbors(self) -> CSR:
-        """Vertices that have an edge with each vertex, ascending.
-
-        Examples
-        --------
-        >>> import netmesh
-        >>> m = netmesh.mesh([[0, 0], [1, 0], [0, 1], [1, 1.5]], algorithm="delaunay")
-        >>> indptr, indices = m.vertex_neighbors
-        >>> indices[indptr[0]:indptr[1]]
-        array([1, 2], dtype=int32)
-        """
-        indptr, indices = self._core.vertex_neighbors(self._selection)
-        return CSR(fixed(indptr), fixed(indices))
-
-    @functools.cached_property
-    def _circumballs(self) -> tuple[np.ndarray, np.ndarray]:
-        centers, radii = self._core.circumcenters(self._selection)
-        return fixed(centers), fixed(radii)
-
-    @property
-    def circumcenters(self) -> np.ndarray:
-        """Circumcentres of simplices, float64, shape (simplices, dim).
-
-        Examples
-        --------
-        >>> import netmesh
-        >>> netmesh.mesh([[0, 0], [1, 0], [0, 1]], algorithm="delaunay").circumcenters
-        array([[0.5, 0.5]])
-        """
-        return self._circumballs[0]
-
-    @property
-    def circumradii(self) -> np.ndarray:
-        """Circumradii of simplices, float64, shape (simplices,).
-
-        Examples
-        --------
-        >>> import netmesh
-        >>> netmesh.mesh([[0, 0], [6, 0], [0, 8]], algorithm="delaunay").circumradii
-        array([5.])
-        """
-        return self._circumballs[1]
-
-    @functools.cached_property
-    def volumes(self) -> np.ndarray:
-        """Volumes (2D: areas) of simplices, float64, shape (simplices,).
-
-        Examples
-        --------
-        >>> import netmesh
-        >>> netmesh.mesh([[0, 0], [6, 0], [0, 8]], algorithm="delaunay").volumes
-        array([24.])
-        """
-        return fixed(self._core.volumes(self._selection))
-
-    @functools.cached_property
-    def voronoi(self) -> VoronoiCells:
-        """Voronoi diagram of the vertices.
-
-        Examples
-        --------
-        >>> import netmesh
-        >>> m = netmesh.mesh([[0, 0], [4, 0], [0, 4], [4, 4], [2, 2]], algorithm="delaunay")
-        >>> m.voronoi.is_bounded
-        array([False, False, False, False,  True])
-        >>> round(float(m.voronoi.volumes[4]), 9)
-        8.0
-        """
-        parts = self._core.voronoi(self._selection)
-        for name, part in parts.items():
-            parts[name] = CSR(*map(fixed, part)) if isinstance(part, tuple) else fixed(part)
-        return VoronoiCells(**parts)
-
-
-class Part(Arrays):
-    """Part of a mesh's simplices: `Mesh.part` picks them.
-
-    A part is a mesh of its own: its hull is its boundary. Ids are those of the whole mesh all the
-    same. Arrays have a row for each simplex of the part, but lists for all vertices of the mesh.
+    It pickles as its mesh and the choice.
 
     Examples
     --------
@@ -172,35 +32,112 @@ class Part(Arrays):
     >>> inside = m.part("hull")
     >>> 0 < len(inside.simplices) < len(m.simplices)
     True
+    >>> bool((inside.points[inside.cells] == m.points[m.simplices[inside.simplices]]).all())
+    True
     """
 
-    def __init__(self, core: Core, selection: tuple[str, bool, Optional[int]]) -> None:
-        self._core = core
+    _selection: tuple[str, bool, Optional[int]]
+
+    def __init__(self, mesh: Any, selection: tuple[str, bool, Optional[int]]) -> None:
+        self._mesh = mesh
+        self._core: Core = mesh._core
         self._selection = selection
-        #: Ids of the part's simplices, int32, ascending.
-        self.simplices = fixed(core.part_simplices(selection))
+        #: Ids of the part's simplices in the mesh, int32, ascending.
+        self.simplices = fixed(self._core.part_simplices(selection))
 
     def __repr__(self) -> str:
         return f"<netmesh.Part: {len(self.simplices)} simplices>"
 
-    def export(
-        self,
-        path: Union[str, os.PathLike],
-        format: str = "auto",
-        *,
-        attributes: Optional[dict] = None,
-    ) -> None:
-        """Write the part to a file, as `Mesh.export`: its vertices alone, numbered anew.
+    def __reduce__(self) -> tuple:
+        return Part, (self._mesh, self._selection)
 
-        Attributes are of all vertices of the mesh.
+    def __copy__(self) -> Part:
+        return self
+
+    def __deepcopy__(self, memo: dict) -> Part:
+        return self
+
+    @functools.cached_property
+    def _own(self) -> Core:
+        return self._core.part(self._selection)
+
+    @functools.cached_property
+    def vertices(self) -> np.ndarray:
+        """Ids of the part's vertices in the mesh, int32, shape (vertices,), ascending.
 
         Examples
         --------
-        >>> import os, tempfile, netmesh
+        >>> import netmesh
         >>> m = netmesh.mesh([[0, 0], [1, 0], [0, 1]])
-        >>> with tempfile.TemporaryDirectory() as folder:
-        ...     m.part("box", across=True).export(os.path.join(folder, "part.vtu"))
-        ...     os.listdir(folder)
-        ['part.vtu']
+        >>> m.part("hull").vertices
+        array([0, 1, 2], dtype=int32)
         """
-        self._export(path, format, attributes)
+        return fixed(np.unique(self._core.simplices[self.simplices]))
+
+    @property
+    def dim(self) -> int:
+        """Dimension of the points, 2 to 8."""
+        return self._core.points.shape[1]
+
+    @property
+    def points(self) -> np.ndarray:
+        """Vertices of the part, float64, shape (vertices, dim): in the order of the mesh.
+
+        Examples
+        --------
+        >>> import netmesh
+        >>> m = netmesh.mesh([[0, 0], [1, 0], [0, 1]])
+        >>> m.part("hull").points
+        array([[0., 0.],
+               [1., 0.],
+               [0., 1.]])
+        """
+        return self._own.points
+
+    @property
+    def cells(self) -> np.ndarray:
+        """Rows of `points` that each simplex has, int32, shape (simplices, dim + 1).
+
+        The simplices are in the order of the mesh, each positively oriented.
+
+        Examples
+        --------
+        >>> import netmesh
+        >>> m = netmesh.mesh([[5, 0], [6, 0], [5, 1], [0, 0]], algorithm="delaunay")
+        >>> part = m.part()
+        >>> bool((part.cells == m.simplices).all())
+        True
+        """
+        return self._own.simplices
+
+    @property
+    def kinds(self) -> np.ndarray:
+        """Origin of each vertex of the part, uint8, shape (vertices,): values of `VertexKind`."""
+        return self._own.kinds
+
+    @property
+    def sizes(self) -> np.ndarray:
+        """Sizes that were asked for at vertices of the part, float64, shape (vertices,); empty without."""
+        return self._own.sizes
+
+    @property
+    def simplex_regions(self) -> np.ndarray:
+        """Label of each simplex' region, int32, shape (simplices,); empty without segments and facets."""
+        return self._own.simplex_regions
+
+    def _columns(self, values: Any, name: str) -> np.ndarray:
+        if array(values, name).shape[:1] == self._core.kinds.shape:
+            return value_columns(values, len(self._core.kinds), "vertex", name)[self.vertices]
+        return vertex_columns(values, self._own, name)
+
+    def _of_vertices(self, values: Any, name: str) -> np.ndarray:
+        given = array(values, name)
+        if given.shape[:1] == self._core.kinds.shape:
+            return given[self.vertices]
+        return data(given, len(self.vertices), "vertex", name)
+
+    def _of_simplices(self, values: Any, name: str) -> np.ndarray:
+        given = array(values, name)
+        if given.shape[:1] == self._core.simplices.shape[:1]:
+            return given[self.simplices]
+        return data(given, len(self.simplices), "simplex", name)

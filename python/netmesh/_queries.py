@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal
+from typing import Any, Literal, Optional
 
 import numpy as np
 
@@ -10,10 +10,11 @@ from ._arrays import query_points, shaped_values, value_columns, vertex_columns
 from ._netmesh import Core
 
 
-class Queries:
-    """Questions that a mesh answers about points."""
+class Locations:
+    """Location of points in a mesh, or in a part of it."""
 
     _core: Core
+    _selection: Optional[tuple[str, bool, Optional[int]]] = None
 
     @property
     def _dim(self) -> int:
@@ -32,7 +33,8 @@ class Queries:
         Returns
         -------
         ndarray of int32, shape (...)
-            -1 outside. On a face that several simplices share, the least of them.
+            -1 outside. On a face that several simplices share, the least of them. Of a part they
+            are rows of `cells`, and what is in the mesh beside the part is outside.
 
         Examples
         --------
@@ -42,8 +44,12 @@ class Queries:
         array([ 0, -1], dtype=int32)
         """
         points = query_points(points, self._dim)
-        found = self._core.locate(points.reshape(-1, self._dim), threads)
+        found = self._core.locate(points.reshape(-1, self._dim), threads, self._selection)
         return found.reshape(points.shape[:-1])
+
+
+class Queries(Locations):
+    """Questions that a whole mesh answers about points."""
 
     def nearest(
         self, points: Any, *, among: Literal["vertices", "inputs"] = "vertices", threads: int = 1

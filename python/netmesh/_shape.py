@@ -5,12 +5,15 @@ from __future__ import annotations
 import enum
 import functools
 import os
-from typing import Optional, Union
+from typing import Any, Optional, Union
 
 import numpy as np
 
+from . import _plots
 from ._arrays import fixed
 from ._netmesh import FiltrationCore
+from ._polygons import rings_of
+from ._views import require_dimension
 
 
 class FaceClass(enum.IntEnum):
@@ -29,6 +32,8 @@ class FaceClass(enum.IntEnum):
 class AlphaShape:
     """All faces with an alpha value of at most alpha. `Filtration.shape` makes it.
 
+    It pickles as its filtration and alpha.
+
     Examples
     --------
     >>> import numpy as np, netmesh
@@ -42,7 +47,9 @@ class AlphaShape:
     ((1, 0), (40, 2), 3.129)
     """
 
-    def __init__(self, core: FiltrationCore, alpha: float) -> None:
+    def __init__(self, filtration: Any, alpha: float) -> None:
+        self._filtration = filtration
+        core: FiltrationCore = filtration._core
         self._core = core
         #: The largest alpha value of its faces, a squared radius.
         self.alpha = alpha
@@ -61,6 +68,15 @@ class AlphaShape:
         #: Its Betti numbers from dimension 0 on: components and holes in 2D; components, tunnels
         #: and cavities in 3D; None in other dimensions (`Filtration.to_gudhi` has them).
         self.betti: Optional[tuple[int, ...]] = None if betti is None else tuple(betti)
+
+    def __reduce__(self) -> tuple:
+        return AlphaShape, (self._filtration, self.alpha)
+
+    def __copy__(self) -> AlphaShape:
+        return self
+
+    def __deepcopy__(self, memo: dict) -> AlphaShape:
+        return self
 
     def classes(self, k: int) -> np.ndarray:
         """Return a `FaceClass` for each of ``Filtration.faces(k)``: uint8, shape (faces,).
@@ -108,6 +124,69 @@ class AlphaShape:
         ['shape.off']
         """
         self._core.export_shape(self.alpha, os.fspath(path))
+
+    def polygons(self) -> list:
+        """Make polygons of the shape, in 2D: a `shapely.Polygon` for each piece, with its holes.
+
+        A piece has triangles that are connected across edges; pieces may touch in points. Edges and
+        points of the shape that are in no triangle have no polygon. Needs the package shapely.
+
+        Examples
+        --------
+        >>> import numpy as np, netmesh
+        >>> angle = np.linspace(0, 2 * np.pi, 100, endpoint=False)[:, None]
+        >>> ring = np.concatenate([r * np.c_[np.cos(angle), np.sin(angle)] for r in (1, 1.05, 1.1)])
+        >>> shape = netmesh.mesh(ring, algorithm="delaunay").filtration("alpha").shape(0.01)
+        >>> [polygon] = shape.polygons()
+        >>> len(polygon.interiors), bool(np.isclose(polygon.area, shape.volume))
+        (1, True)
+        """
+        import shapely
+
+        mesh, simplices = self._filtration._mesh, self.simplices
+        require_dimension(mesh._core, (2,))
+        row_of = np.full(len(mesh.simplices) + 1, -1)
+        row_of[simplices] = np.arange(len(simplices))
+        # The neighbour -1 is the last one, which is no row.
+        rings = rings_of(mesh.points, mesh.simplices[simplices], row_of[mesh.neighbors[simplices]])
+        points = mesh.points
+        return [shapely.Polygon(points[outer], [points[hole] for hole in holes]) for outer, holes in rings]
+
+    def plot(
+        self, *, ax: Any = None, plotter: Any = None, off_screen: Optional[bool] = None, **arguments: Any
+    ) -> Any:
+        """Draw the shape: with Matplotlib in 2D, its boundary with PyVista in 3D.
+
+        Triangles that are in no tetrahedron are drawn in 3D, too, and edges that are in no triangle
+        in 2D.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            In 2D the axes to draw on; the current ones if none are given.
+        plotter : pyvista.Plotter, optional
+            In 3D the plotter to draw on; a new one if none is given.
+        off_screen : bool, optional
+            In 3D True for a picture without a window, for ``screenshot``; by default as PyVista is set.
+        **arguments
+            In 2D keywords of a `matplotlib.collections.PolyCollection` for the triangles, under their
+            long or short names; in 3D keywords of `pyvista.Plotter.add_mesh`.
+
+        Returns
+        -------
+        matplotlib.axes.Axes or pyvista.Plotter
+            Nothing is shown before ``show``.
+
+        Examples
+        --------
+        >>> import matplotlib, numpy as np, netmesh
+        >>> matplotlib.use("agg")
+        >>> points = np.random.default_rng(1).random((100, 2))
+        >>> shape = netmesh.mesh(points, algorithm="delaunay").filtration("alpha").shape()
+        >>> shape.plot(color="tab:green", alpha=0.5).get_aspect()
+        1.0
+        """
+        return _plots.plot_shape(self, ax, plotter, off_screen, arguments)
 
     def __repr__(self) -> str:
         counts = ", ".join(map(str, self.face_counts))

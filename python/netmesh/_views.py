@@ -2,76 +2,109 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional
+from typing import Any, Callable
 
 import numpy as np
 
-from ._arrays import data
 from ._errors import InvalidArgumentError
 from ._netmesh import Core
 
-#: Names of meshio, numbers of VTK.
-CELLS = {2: ("triangle", 5), 3: ("tetra", 10)}
+#: Names of meshio for cells of dimension 1, 2 and 3.
+_NAMES = {1: "line", 2: "triangle", 3: "tetra"}
+
+#: Numbers of VTK for cells of dimension 2 and 3.
+_NUMBERS = {2: 5, 3: 10}
 
 
-def to_meshio(core: Core, point_data: Optional[dict], cell_data: Optional[dict]) -> Any:
+def to_meshio(core: Core, point_data: dict, cell_data: dict) -> Any:
+    """Make a `meshio.Mesh` with a block of simplices, one of facets in space and one of segments."""
+    require_dimension(core)
     import meshio
 
-    name, _ = _cell(core)
-    of_cells = _cell_data(core, cell_data)
+    blocks = [core.simplices, *_facets(core)]
+    if len(core.segments):
+        blocks.append(core.segments)
     return meshio.Mesh(
         core.points,
-        [(name, core.simplices)],
-        point_data=_point_data(core, point_data),
-        cell_data={name: [values] for name, values in of_cells.items()},
+        [(_NAMES[block.shape[1] - 1], block) for block in blocks],
+        point_data={**_point_data(core), **point_data},
+        cell_data={**_cell_data(core, blocks), **_filled(cell_data, blocks)},
     )
 
 
-def to_pyvista(core: Core, point_data: Optional[dict], cell_data: Optional[dict]) -> Any:
+def to_pyvista(core: Core, point_data: dict, cell_data: dict) -> Any:
+    """Make a `pyvista.UnstructuredGrid` with the cells and the data that ``.vtu`` files have."""
+    require_dimension(core)
     import pyvista
 
-    _, number = _cell(core)
-    points = np.zeros((len(core.points), 3))
-    points[:, : core.points.shape[1]] = core.points
-    grid = pyvista.UnstructuredGrid({number: core.simplices.astype(np.int64)}, points)
-    for name, values in _point_data(core, point_data).items():
+    blocks = [core.simplices, *_facets(core)]
+    cells = {_NUMBERS[block.shape[1] - 1]: block.astype(np.int64) for block in blocks}
+    grid = pyvista.UnstructuredGrid(cells, points_in_space(core.points))
+    for name, values in {**_point_data(core), **point_data}.items():
         grid.point_data[name] = values.copy()
-    for name, values in _cell_data(core, cell_data).items():
-        grid.cell_data[name] = values.copy()
+    of_cells = {**_cell_data(core, blocks), **_filled(cell_data, blocks)}
+    for name, parts in of_cells.items():
+        grid.cell_data[name] = np.concatenate(parts)
+    if len(core.segments):
+        grid.field_data["segments"] = core.segments.copy()
+        grid.field_data["segment_markers"] = core.segment_markers()
     return grid
 
 
-def plot(core: Core, ax: Any, arguments: dict) -> Any:
+def points_in_space(points: np.ndarray) -> np.ndarray:
+    """Return a copy of points of the plane, or of space, with three coordinates."""
+    found = np.zeros((len(points), 3))
+    found[:, : points.shape[1]] = points
+    return found
+
+
+def require_dimension(core: Core, dimensions: tuple[int, ...] = (2, 3)) -> None:
+    """Refuse a mesh of another dimension."""
     dim = core.points.shape[1]
-    if dim != 2:
-        raise InvalidArgumentError(f"the mesh has dim = {dim}; only planar ones can be plotted")
-    import matplotlib.pyplot
-
-    ax = matplotlib.pyplot.gca() if ax is None else ax
-    x, y = core.points.T
-    ax.triplot(x, y, core.simplices, **{"linewidth": 0.5, "color": "tab:blue", **arguments})
-    inputs = np.unique(core.input_vertices)
-    ax.plot(x[inputs], y[inputs], "k.", markersize=2)
-    ax.set_aspect("equal")
-    return ax
+    if dim not in dimensions:
+        rule = " or ".join(map(str, dimensions))
+        raise InvalidArgumentError(f"the mesh has dim = {dim}; it must be {rule}")
 
 
-def _cell(core: Core) -> tuple[str, int]:
-    dim = core.points.shape[1]
-    if dim not in CELLS:
-        raise InvalidArgumentError(f"the mesh has dim = {dim}; it must be 2 or 3")
-    return CELLS[dim]
+def checked(given: Any, check: Callable[[Any, str], np.ndarray], name: str) -> dict:
+    """Return arrays by name after `check`, which is told what messages call each."""
+    return {key: check(values, f"{name}[{key!r}]") for key, values in (given or {}).items()}
 
 
-def _point_data(core: Core, more: Optional[dict]) -> dict:
-    of_vertices = _checked(more, len(core.points), "vertex", "point_data")
-    return {"kind": core.kinds, "domain": core.vertex_domains, **of_vertices}
+def _facets(core: Core) -> list:
+    return [core.facet_triangles] if len(core.facet_triangles) else []
 
 
-def _cell_data(core: Core, given: Optional[dict]) -> dict:
-    return _checked(given, len(core.simplices), "simplex", "cell_data")
+def _point_data(core: Core) -> dict:
+    found = {
+        "kind": core.kinds,
+        "domain": core.vertex_domains,
+        "input": core.vertex_inputs(),
+        "precision_limited": core.precision_limited.astype(np.uint8),
+    }
+    return {**found, "size": core.sizes} if len(core.sizes) else found
 
 
-def _checked(given: Optional[dict], count: int, things: str, name: str) -> dict:
-    pairs = (given or {}).items()
-    return {key: data(values, count, things, f"{name}[{key!r}]") for key, values in pairs}
+def _cell_data(core: Core, blocks: list) -> dict:
+    """Return the arrays of the mesh for each block: regions of simplices, facets and markers."""
+    found = {}
+    zeros = [np.zeros(len(block), np.int32) for block in blocks]
+    if len(core.simplex_regions):
+        found["region"] = [core.simplex_regions, *zeros[1:]]
+    if len(blocks) > 1:
+        markers = {3: core.facet_markers, 2: core.segment_markers}
+        found["marker"] = [zeros[0], *(markers[block.shape[1]]() for block in blocks[1:])]
+    if len(core.facet_triangles):
+        none = [np.full(len(block), -1, np.int32) for block in blocks]
+        found["facet"] = [none[0], core.facet_parents, *none[2:]]
+    return found
+
+
+def _filled(given: dict, blocks: list) -> dict:
+    """Return values of simplices for each block: not a number, or 0, for what is no simplex."""
+    found = {}
+    for name, values in given.items():
+        filler = np.nan if values.dtype.kind in "fc" else np.zeros(1, values.dtype)[0]
+        rest = [np.full((len(block), *values.shape[1:]), filler, values.dtype) for block in blocks[1:]]
+        found[name] = [values, *rest]
+    return found

@@ -1,9 +1,8 @@
-//! Files of a mesh, or of some of its simplices.
+//! Files of a mesh.
 
 use crate::core::Core;
 use crate::errors::{detached_on_file, exception, invalid};
 use crate::options::choice;
-use crate::selection::{Given, selected};
 use netmesh::Attribute;
 use netmesh::io::{Format, write_file_with};
 use numpy::PyReadonlyArray2;
@@ -17,7 +16,6 @@ impl Core {
         py: Python<'_>,
         path: PathBuf,
         format: &Bound<'_, PyAny>,
-        selection: Given<'_>,
         attributes: Vec<(String, PyReadonlyArray2<'_, f64>)>,
     ) -> PyResult<()> {
         let formats = [
@@ -40,19 +38,7 @@ impl Core {
             require_attributes(py, &path, format)?;
         }
         let attributes = vertex_attributes(py, &attributes)?;
-        let Some(selection) = selected(selection)? else {
-            return detached_on_file(py, &path, || {
-                write_file_with(&self.mesh, &attributes, &path, format)
-            });
-        };
-        detached_on_file(py, &path, || {
-            let part = self.prepared.part(&self.mesh, &selection)?;
-            let (mesh, attributes) = part.to_mesh(self.mesh.inputs(), &attributes)?;
-            let markers = &self.mesh.facets_of_result().markers;
-            let mesh = mesh.with_facet_markers(markers.to_vec());
-            let mesh = mesh.with_markers(self.mesh.markers_of_result().to_vec());
-            write_file_with(&mesh, &attributes, &path, format)
-        })
+        detached_on_file(py, &path, || write_file_with(&self.mesh, &attributes, &path, format))
     }
 }
 

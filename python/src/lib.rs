@@ -9,6 +9,7 @@ mod errors;
 mod export;
 mod making;
 mod options;
+mod parts;
 mod progress;
 mod queries;
 mod reading;

@@ -4,6 +4,7 @@ use crate::arrays::{empty, unsigned};
 use crate::core::Core;
 use crate::errors::{abandonable, exception, invalid, stoppable};
 use crate::options::{choice, whole};
+use crate::selection::{Given, selected};
 use netmesh::quality::Measure;
 use netmesh::query::{Among, Index, Interpolation, Method, Outside, Values, Work};
 use netmesh::{Stats, quality, validate};
@@ -43,20 +44,28 @@ impl Core {
 
 #[pymethods]
 impl Core {
-    /// Returns the simplex of each point, -1 outside.
+    /// Returns the simplex of each point, -1 outside; with a selection its row among the selected.
     fn locate<'py>(
         &self,
         py: Python<'py>,
         points: PyReadonlyArray2<'py, f64>,
         threads: &Bound<'py, PyAny>,
+        selection: Given<'py>,
     ) -> PyResult<Bound<'py, PyArray1<i32>>> {
+        let selection = selected(selection)?;
         let threads = whole("threads", threads, u32::MAX)?;
         let (count, index) = (self.count(&points)?, self.index(py)?);
         let found = empty(py, [count])?;
         let mut out = found.readwrite();
         let (points, out) = (points.as_slice()?, unsigned(out.as_slice_mut()?));
-        let mesh = self.triangulation();
-        stoppable(py, |stop| index.locate(mesh, points, Work { threads, stop }, out))?;
+        let made = &self.made;
+        stoppable(py, |stop| {
+            let work = Work { threads, stop };
+            match selection {
+                None => index.locate(made.triangulation(), points, work, out),
+                Some(selection) => made.locate_in_part(index, &selection, points, work, out),
+            }
+        })?;
         Ok(found)
     }
 
@@ -150,7 +159,8 @@ impl Core {
     }
 
     /// Returns the figures of the quality by name.
-    fn quality<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+    fn quality<'py>(&self, py: Python<'py>, selection: Given<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let selection = selected(selection)?;
         let made = Arc::clone(&self.made);
         let quality::Quality {
             max_degree,
@@ -168,7 +178,7 @@ impl Core {
             least_forced_angle_degrees,
             below_min_angle,
             flat,
-        } = abandonable(py, move || quality::measure(made.triangulation()))?;
+        } = abandonable(py, move || made.measured(selection, quality::measure))?;
         let figures = PyDict::new(py);
         figures.set_item("max_degree", max_degree)?;
         figures.set_item("worst_aspect", worst_aspect)?;
@@ -196,6 +206,7 @@ impl Core {
         measure: &Bound<'py, PyAny>,
         hull: bool,
         edges: Vec<f64>,
+        selection: Given<'py>,
     ) -> PyResult<(Bound<'py, PyArray1<i64>>, f64, f64)> {
         let names = [
             ("dihedral_angle", Measure::DihedralAngle),
@@ -204,9 +215,10 @@ impl Core {
             ("smallest_angle", Measure::SmallestAngle),
         ];
         let measure = choice("measure", measure, &names)?;
+        let selection = selected(selection)?;
         let made = Arc::clone(&self.made);
         let quality::Histogram { counts, least, largest } = abandonable(py, move || {
-            quality::histogram(made.triangulation(), measure, hull, &edges)
+            made.measured(selection, |mesh| quality::histogram(mesh, measure, hull, &edges))
         })?;
         let counts = counts.into_iter().map(|count| count as i64).collect();
         Ok((PyArray1::from_vec(py, counts), least, largest))

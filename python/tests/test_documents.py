@@ -23,6 +23,14 @@ def test_the_page(page, least, tmp_path, monkeypatch):
     assert failed == 0 and attempted >= least
 
 
+def test_the_page_of_other_packages(tmp_path, monkeypatch):
+    for needed in ("matplotlib", "meshio", "pyvista", "shapely", "skfem"):
+        pytest.importorskip(needed)
+    monkeypatch.chdir(tmp_path)
+    failed, attempted = run_page.run(PAGE.with_name("python_packages.md"))
+    assert failed == 0 and attempted > 20
+
+
 @pytest.mark.parametrize("name", MODULES)
 def test_the_examples_of(name):
     module = importlib.import_module(name)
@@ -48,9 +56,9 @@ def kept_array_examples(module):
 
 
 def test_examples_of_kept_arrays_are_found():
-    from netmesh import _part
+    from netmesh import _derived
 
-    assert sum(len(test.examples) for test in kept_array_examples(_part)) > 20
+    assert sum(len(test.examples) for test in kept_array_examples(_derived)) > 20
 
 
 def test_everything_public_is_described():

@@ -4,8 +4,8 @@ use super::domains::{domain_of, is_within};
 use super::{Part, Placement};
 use crate::error::{Error, ErrorKind, Name, Result, message, say};
 use crate::memory::{AllocResult, TryGrow, collected, copied, filled, with_capacity};
-use crate::mesh::{Attribute, Boundary, Inputs, Mesh, NONE, Triangulation};
-use crate::options::Criterion;
+use crate::mesh::{Attribute, Boundary, Boxed, Inputs, Mesh, NONE, Triangulation};
+use crate::options::{Criterion, Extent};
 use crate::query::check_arrays;
 
 /// Region of space that a selection is restricted to.
@@ -145,6 +145,73 @@ impl<'a> Part<'a> {
         }
         Ok((Mesh::from_parts(inputs.of_vertices(&kept)?, part), kept_attributes))
     }
+
+    /// Returns a triangulation of the part's simplices, numbered anew, with all vertices of the
+    /// mesh under their numbers, for measures of quality: domains have their centres, vertices of
+    /// no simplex have no cell, and of the simplices at the part's boundary only those at the outer
+    /// cage of the mesh are not measured.
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn for_measures(&self) -> Result<Triangulation> {
+        let mesh = self.mesh;
+        let ids = collected(self.simplices())?;
+        let mut new_simplex = filled(mesh.simplex_count(), NONE)?;
+        let mut is_kept = filled(mesh.vertex_count(), false)?;
+        let mut part = without_simplices(mesh)?;
+        for (new, &simplex) in ids.iter().enumerate() {
+            new_simplex[simplex as usize] = new as u32;
+            mesh.simplex(simplex as usize).iter().for_each(|&v| is_kept[v as usize] = true);
+        }
+        for &simplex in &ids {
+            part.simplices.try_extend(mesh.simplex(simplex as usize))?;
+            for i in 0..=mesh.dim {
+                let neighbor = self.neighbor(simplex, i);
+                let of_part = new_simplex.get(neighbor as usize).copied();
+                part.neighbors.try_push(of_part.unwrap_or(NONE))?;
+            }
+        }
+        let mut whole = without_simplices(mesh)?;
+        if mesh.parameters.extent == Extent::All {
+            let all = mesh.boundary.whole.as_deref().unwrap_or(mesh);
+            whole.kinds = copied(&all.kinds)?;
+            whole.simplices = copied(&all.simplices)?;
+            whole.neighbors = copied(&all.neighbors)?;
+        }
+        part.boundary = Boundary {
+            flat: renumbered(&mesh.boundary.flat, &new_simplex)?,
+            forced: renumbered(&mesh.boundary.forced, &new_simplex)?,
+            whole: Some(Boxed::new(whole)?),
+            ..Boundary::default()
+        };
+        let beyond = mesh.beyond_bound.iter().copied();
+        part.beyond_bound = match mesh.parameters.criterion {
+            Criterion::VoronoiAspect => collected(beyond.filter(|&v| is_kept[v as usize]))?,
+            Criterion::RadiusEdge => renumbered(&mesh.beyond_bound, &new_simplex)?,
+        };
+        Ok(part)
+    }
+}
+
+/// Returns the vertices and domains of a mesh without its simplices, and without a boundary.
+fn without_simplices(mesh: &Triangulation) -> AllocResult<Triangulation> {
+    Ok(Triangulation {
+        dim: mesh.dim,
+        points: copied(&mesh.points)?,
+        simplices: Vec::new(),
+        neighbors: Vec::new(),
+        kinds: copied(&mesh.kinds)?,
+        vertex_domains: copied(&mesh.vertex_domains)?,
+        cage_of: copied(&mesh.cage_of)?,
+        domains: copied(&mesh.domains)?,
+        precision_limited: copied(&mesh.precision_limited)?,
+        below_min_dihedral: Vec::new(),
+        boundary: Boundary::default(),
+        sizes: Vec::new(),
+        beyond_bound: Vec::new(),
+        parameters: mesh.parameters.clone(),
+        stats: mesh.stats.clone(),
+    })
 }
 
 /// Returns the new numbers of those `ids` that have one.

@@ -71,6 +71,16 @@ impl Cells {
         Ok(cells)
     }
 
+    /// Returns true if a simplex has `vertex`: in a part of a mesh some vertices have none.
+    pub fn has_cell(&self, vertex: usize) -> bool {
+        self.nearest[vertex] != Length::INFINITE
+    }
+
+    /// Returns true if a simplex has vertices inside and outside of the ball of `domain`.
+    pub fn has_cage(&self, domain: usize) -> bool {
+        self.cage_nearest[domain] != Length::INFINITE
+    }
+
     /// Returns the out-radius over the in-radius of the cell of `vertex`, over the corners that
     /// count.
     pub fn aspect(&self, vertex: usize) -> f64 {

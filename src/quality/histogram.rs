@@ -135,10 +135,12 @@ fn count_aspects<const D: usize>(
     let mesh = view.mesh;
     let tree = DomainTree::new(&mesh.domains)?;
     let cells = Cells::survey(view, tree.as_ref(), 1.0, |_| Ok(()))?;
-    for (i, domain) in mesh.domains.iter().enumerate().skip(1) {
+    let cages = mesh.domains.iter().enumerate().skip(1).filter(|&(i, _)| cells.has_cage(i));
+    for (i, domain) in cages {
         counter.add(cells.cage_aspect_anywhere(i, domain.radius));
     }
-    for v in (0..on_hull.len()).filter(|&v| !on_hull[v] && mesh.cage_of[v] == NONE) {
+    let is_measured = |&v: &usize| !on_hull[v] && mesh.cage_of[v] == NONE && cells.has_cell(v);
+    for v in (0..on_hull.len()).filter(is_measured) {
         counter.add(cells.aspect_anywhere(v));
     }
     Ok(())

@@ -111,7 +111,9 @@ fn measure_in<const D: usize>(mesh: &Triangulation) -> AllocResult<Quality> {
     let mut simplices = SimplexMeasures::default();
     let cells =
         Cells::survey(view, tree.as_ref(), 1.0, |cell| simplices.add(view, cell, &at_cage))?;
-    let limited = mesh.precision_limited.iter().filter(|&&limited| limited).count();
+    let limited = (0..mesh.precision_limited.len())
+        .filter(|&v| mesh.precision_limited[v] && cells.has_cell(v))
+        .count();
     let mut quality = Quality {
         max_degree: max_degree(view)?,
         worst_cage_aspect: worst_cage_aspect(mesh, &cells)?,
@@ -222,7 +224,8 @@ fn add_aspects(quality: &mut Quality, mesh: &Triangulation, cells: &Cells, on_hu
         let anywhere = cells.cage_aspect_anywhere(i, domain.radius);
         quality.worst_aspect_anywhere = quality.worst_aspect_anywhere.max(anywhere);
     }
-    for v in (0..on_hull.len()).filter(|&v| !on_hull[v] && mesh.cage_of[v] == NONE) {
+    let is_measured = |&v: &usize| !on_hull[v] && mesh.cage_of[v] == NONE && cells.has_cell(v);
+    for v in (0..on_hull.len()).filter(is_measured) {
         let anywhere = cells.aspect_anywhere(v);
         quality.worst_aspect_anywhere = quality.worst_aspect_anywhere.max(anywhere);
         if !mesh.precision_limited[v] {

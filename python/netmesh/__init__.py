@@ -1,10 +1,11 @@
 """Time-optimal point meshing: conforming quality Delaunay meshes in 2 to 8 dimensions.
 
 `mesh` makes a mesh of linear size with a bound on its quality, whatever the spread of the points.
-`Delaunay`, `LinearNDInterpolator` and `Voronoi` have the names and meanings of SciPy's.
+`Delaunay`, `Voronoi`, `griddata` and the interpolators have the names and meanings of SciPy's.
 """
 
 from . import _errors
+from ._clough_tocher import CloughTocher2DInterpolator, GradientEstimationWarning
 from ._delaunay import Delaunay
 from ._errors import (
     ArgumentTypeError,
@@ -24,8 +25,10 @@ from ._errors import (
 )
 from ._facets import close_holes, intersections, merge_points, odd_edges, triangulate_facets
 from ._filtration import Filtration
+from ._griddata import griddata
 from ._interpolator import LinearNDInterpolator
 from ._mesh import Mesh, mesh
+from ._nearest import NearestNDInterpolator
 from ._netmesh import VERSION as __version__
 from ._netmesh import Progress
 from ._part import Part
@@ -51,6 +54,7 @@ __all__ = [
     "CSR",
     "CancelledError",
     "CapacityError",
+    "CloughTocher2DInterpolator",
     "DegenerateInputError",
     "Delaunay",
     "DimensionError",
@@ -60,12 +64,14 @@ __all__ = [
     "FileError",
     "Filtration",
     "FormatError",
+    "GradientEstimationWarning",
     "InternalError",
     "Intersection",
     "InvalidArgumentError",
     "LimitError",
     "LinearNDInterpolator",
     "Mesh",
+    "NearestNDInterpolator",
     "NonFiniteError",
     "OddEdge",
     "OutOfMemoryError",
@@ -81,6 +87,7 @@ __all__ = [
     "Voronoi",
     "VoronoiCells",
     "close_holes",
+    "griddata",
     "intersections",
     "merge_points",
     "mesh",

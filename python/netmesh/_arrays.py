@@ -56,6 +56,14 @@ def number(value: Any, name: str) -> float:
     return float(found)
 
 
+def tolerance(value: Any, name: str, default: float) -> float:
+    """Make a float of a tolerance, which is not negative; `default` for None."""
+    found = default if value is None else number(value, name)
+    if not 0 <= found < np.inf:
+        raise InvalidArgumentError(f"{name} is {found}; it must be at least 0 and finite")
+    return found
+
+
 def whole_numbers(values: Any, name: str) -> np.ndarray:
     """Make contiguous int64 of whole numbers of any shape."""
     given = array(values, name)
@@ -76,6 +84,11 @@ def point_rows(points: Any, name: str = "points") -> np.ndarray:
     if width != 8 or step % 8 or step < 8 * found.shape[1]:
         found = np.ascontiguousarray(found)
     return found
+
+
+def contiguous(made: np.ndarray) -> np.ndarray:
+    """Return an array of the package's own in the order that the library reads."""
+    return np.ascontiguousarray(made)
 
 
 def query_points(points: Any, dim: int, name: str = "points") -> np.ndarray:

@@ -7,6 +7,7 @@ mod core;
 mod derived;
 mod errors;
 mod export;
+mod interpolation;
 mod making;
 mod options;
 mod progress;
@@ -25,6 +26,8 @@ mod _netmesh {
     };
     #[pymodule_export]
     use crate::core::Core;
+    #[pymodule_export]
+    use crate::interpolation::{PointIndexCore, cubic, estimate_gradients};
     #[pymodule_export]
     use crate::progress::Progress;
     #[pymodule_export]

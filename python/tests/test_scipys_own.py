@@ -1,4 +1,4 @@
-"""SciPy's own tests of `Delaunay`, `Voronoi` and `LinearNDInterpolator`, from its wheel, run against
+"""SciPy's own tests of `Delaunay`, `Voronoi`, the interpolators and `griddata`, from its wheel, run against
 netmesh. What differs is listed in `DIFFERENCES` with its reason, and must differ.
 """
 
@@ -7,6 +7,7 @@ import types
 import netmesh
 import pytest
 import scipy.interpolate.tests.test_interpnd as their_interpolation
+import scipy.interpolate.tests.test_ndgriddata as their_griddata
 import scipy.spatial
 import scipy.spatial.tests.test_qhull as their_qhull
 
@@ -15,6 +16,7 @@ QHULL = "QJ moves the points; here one that equals another is never a vertex"
 FURTHEST = "furthest_site is not supported"
 CORNERS = "corners come in another order, and there is no empty region for a point at infinity"
 APART = "corners that are a rounding apart are two; Qhull merges them"
+EUCLIDEAN = "nearest is by the Euclidean distance alone"
 FLAT = "Qhull merges some of the flattest simplices: 22 have no transform, of the exact ones 31"
 
 #: By name, or a pattern of names with parameters.
@@ -31,6 +33,7 @@ DIFFERENCES = {
     "TestVoronoi.test_point_region_structure*Qz*": CORNERS,
     "TestVoronoi.test_incremental*pathological-2-*": APART,
     "TestVoronoi.test_ridges*pathological-2*": APART,
+    "TestNearestNDInterpolator.test_nearest_query_options": EUCLIDEAN,
 }
 
 #: Of ConvexHull, which netmesh does not have.
@@ -48,9 +51,21 @@ their_qhull.qhull = types.SimpleNamespace(
 )
 their_qhull.Voronoi = netmesh.Voronoi
 their_interpolation.qhull = their_qhull.qhull
+def estimated_gradients(tri, values, **arguments):
+    """The gradients of an interpolator, in the shape that SciPy's function has."""
+    return netmesh.CloughTocher2DInterpolator(tri, values, **arguments).grad[:, 0]
+
+
 their_interpolation.interpnd = types.SimpleNamespace(
-    LinearNDInterpolator=netmesh.LinearNDInterpolator
+    LinearNDInterpolator=netmesh.LinearNDInterpolator,
+    CloughTocher2DInterpolator=netmesh.CloughTocher2DInterpolator,
+    GradientEstimationWarning=netmesh.GradientEstimationWarning,
+    estimate_gradients_2d_global=estimated_gradients,
 )
+for name in ("griddata", "NearestNDInterpolator", "LinearNDInterpolator", "CloughTocher2DInterpolator"):
+    setattr(their_griddata, name, getattr(netmesh, name))
+MODULES = (their_qhull, their_interpolation, their_griddata)
+
 
 
 def taken(theirs):
@@ -75,6 +90,11 @@ TestVertexNeighborVertices = taken(their_qhull.TestVertexNeighborVertices)
 TestDelaunay = taken(their_qhull.TestDelaunay)
 TestVoronoi = taken(their_qhull.TestVoronoi)
 TestLinearNDInterpolation = taken(their_interpolation.TestLinearNDInterpolation)
+TestEstimateGradients2DGlobal = taken(their_interpolation.TestEstimateGradients2DGlobal)
+TestCloughTocher2DInterpolator = taken(their_interpolation.TestCloughTocher2DInterpolator)
+TestGriddata = taken(their_griddata.TestGriddata)
+TestNearestNDInterpolator = taken(their_griddata.TestNearestNDInterpolator)
+TestNDInterpolators = taken(their_griddata.TestNDInterpolators)
 
 
 @pytest.mark.parametrize("name", sorted(their_qhull.DATASETS))
@@ -89,5 +109,5 @@ def test_issue_8051():
 def test_every_name_is_of_a_test():
     for name in [*DIFFERENCES, *LEFT_OUT]:
         theirs, test = name.split("*")[0].split(".")
-        module = their_qhull if hasattr(their_qhull, theirs) else their_interpolation
+        module = next(module for module in MODULES if hasattr(module, theirs))
         assert hasattr(getattr(module, theirs), test)

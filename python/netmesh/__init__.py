@@ -1,11 +1,12 @@
 """Time-optimal point meshing: conforming quality Delaunay meshes in 2 to 8 dimensions.
 
 `mesh` makes a mesh of linear size with a bound on its quality, whatever the spread of the points.
-`Delaunay`, `Voronoi`, `griddata` and the interpolators have the names and meanings of SciPy's.
+`Delaunay`, `Voronoi`, `ConvexHull`, `griddata` and the interpolators have SciPy's names and meanings.
 """
 
 from . import _errors
 from ._clough_tocher import CloughTocher2DInterpolator, GradientEstimationWarning
+from ._convex_hull import ConvexHull
 from ._delaunay import Delaunay
 from ._errors import (
     ArgumentTypeError,
@@ -46,6 +47,7 @@ from ._results import (
     VoronoiCells,
 )
 from ._shape import AlphaShape, FaceClass
+from ._spatial import SpatialMesh, offset_hull, representatives, spatial_mesh
 from ._voronoi import Voronoi
 
 __all__ = [
@@ -56,6 +58,7 @@ __all__ = [
     "CapacityError",
     "CloughTocher2DInterpolator",
     "DegenerateInputError",
+    "ConvexHull",
     "Delaunay",
     "DimensionError",
     "Error",
@@ -80,6 +83,7 @@ __all__ = [
     "Progress",
     "Quality",
     "Report",
+    "SpatialMesh",
     "StateError",
     "Stats",
     "VertexKind",
@@ -92,6 +96,9 @@ __all__ = [
     "merge_points",
     "mesh",
     "odd_edges",
+    "offset_hull",
+    "representatives",
+    "spatial_mesh",
     "triangulate_facets",
 ]
 

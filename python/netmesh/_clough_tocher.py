@@ -42,8 +42,8 @@ class CloughTocher2DInterpolator(SimplexInterpolator):
         Bring the points to the unit square first, for axes whose units have nothing to do with each
         other.
     simplex_tol : float, optional
-        Barycentric coordinates of at least minus this count as inside, as `tol` of
-        `LinearNDInterpolator` says. 2.2e-14 by default; 0 for exact answers.
+        Tolerance at the hull, which `LinearNDInterpolator` calls `tol`: 2.2e-14 by default; 0 for
+        exact answers.
     outside : {'fill', 'nearest'}
         Points outside get `fill_value`, or the value of the nearest point.
     threads : int

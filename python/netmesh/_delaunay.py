@@ -248,8 +248,9 @@ class Delaunay:
         bruteforce
             Without effect: the answer does not depend on a path.
         tol : float, optional
-            A point that no simplex holds belongs to the one in which its least barycentric coordinate
-            is largest, if that is at least ``-tol``. By default 0; SciPy's default is 2.2e-14.
+            A point that no simplex holds belongs to the one in which its barycentric coordinates leave
+            the range from 0 to 1 the least, if that is by at most `tol`. By default 0; SciPy's default
+            is 2.2e-14.
 
         Returns
         -------

@@ -132,9 +132,9 @@ class LinearNDInterpolator(SimplexInterpolator):
         Bring the points to the unit cube first, for axes whose units have nothing to do with each
         other.
     tol : float, optional
-        Barycentric coordinates of at least ``-tol`` count as inside: see `Delaunay.find_simplex`. By
-        default 2.2e-14, as in SciPy, so that points which are on the hull but for a rounding have a
-        value; 0 for exact answers.
+        Barycentric coordinates from ``-tol`` to ``1 + tol`` count as inside: see
+        `Delaunay.find_simplex`. By default 2.2e-14, as in SciPy, so that points which are on the hull
+        but for a rounding have a value; 0 for exact answers.
     outside : {'fill', 'nearest'}
         Points outside get `fill_value`, or the value of the nearest point.
     threads : int

@@ -1,6 +1,6 @@
 //! Interpolation in triangulations and among points that are arrays of Python's.
 
-use crate::arrays::{empty, given_ids, unsigned};
+use crate::arrays::{empty, fits, given_ids, unsigned};
 use crate::errors::{abandonable, invalid, stoppable};
 use crate::options::whole;
 use netmesh::query::{self, Convergence, Cubics, PointIndex, Triangles, Values, Work};
@@ -88,6 +88,22 @@ pub fn cubic<'py>(
     Ok(found)
 }
 
+/// Returns for each point the one that stands for it.
+#[pyfunction]
+pub fn representatives<'py>(
+    py: Python<'py>,
+    points: PyReadonlyArray2<'py, f64>,
+    cutoff: f64,
+) -> PyResult<Bound<'py, PyArray1<i32>>> {
+    let (count, dim) = points.as_array().dim();
+    fits(py, count)?;
+    let found = empty(py, [count])?;
+    let mut out = found.readwrite();
+    let (points, out) = (points.as_slice()?, unsigned(out.as_slice_mut()?));
+    stoppable(py, |stop| netmesh::representatives(dim, points, cutoff, stop, out))?;
+    Ok(found)
+}
+
 /// Points, for the nearest of them. Nothing changes it.
 #[pyclass(frozen, module = "netmesh._netmesh")]
 pub struct PointIndexCore(PointIndex);
@@ -97,6 +113,7 @@ impl PointIndexCore {
     #[new]
     fn new(py: Python<'_>, points: PyReadonlyArray2<'_, f64>) -> PyResult<Self> {
         let dim = points.as_array().ncols();
+        fits(py, points.as_array().nrows())?;
         let points: Vec<f64> = points.as_array().iter().copied().collect();
         abandonable(py, move || PointIndex::new(dim, &points)).map(Self)
     }

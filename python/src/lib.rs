@@ -27,7 +27,7 @@ mod _netmesh {
     #[pymodule_export]
     use crate::core::Core;
     #[pymodule_export]
-    use crate::interpolation::{PointIndexCore, cubic, estimate_gradients};
+    use crate::interpolation::{PointIndexCore, cubic, estimate_gradients, representatives};
     #[pymodule_export]
     use crate::progress::Progress;
     #[pymodule_export]

@@ -1,4 +1,4 @@
-"""SciPy's own tests of `Delaunay`, `Voronoi`, the interpolators and `griddata`, from its wheel, run against
+"""SciPy's own tests of `Delaunay`, `Voronoi`, `ConvexHull`, the interpolators and `griddata`, from its wheel, run against
 netmesh. What differs is listed in `DIFFERENCES` with its reason, and must differ.
 """
 
@@ -36,17 +36,13 @@ DIFFERENCES = {
     "TestNearestNDInterpolator.test_nearest_query_options": EUCLIDEAN,
 }
 
-#: Of ConvexHull, which netmesh does not have.
-LEFT_OUT = {
-    "TestUtilities.test_volume_area",
-    "TestUtilities.test_random_volume_area",
-    "TestUtilities.test_incremental_volume_area_random_input",
-}
+#: Of other things than netmesh has.
+LEFT_OUT: set = set()
 
 their_qhull.qhull = types.SimpleNamespace(
     Delaunay=netmesh.Delaunay,
     Voronoi=netmesh.Voronoi,
-    ConvexHull=scipy.spatial.ConvexHull,
+    ConvexHull=netmesh.ConvexHull,
     tsearch=lambda tri, x: tri.find_simplex(x),
 )
 their_qhull.Voronoi = netmesh.Voronoi
@@ -89,17 +85,13 @@ TestUtilities = taken(their_qhull.TestUtilities)
 TestVertexNeighborVertices = taken(their_qhull.TestVertexNeighborVertices)
 TestDelaunay = taken(their_qhull.TestDelaunay)
 TestVoronoi = taken(their_qhull.TestVoronoi)
+TestConvexHull = taken(their_qhull.TestConvexHull)
 TestLinearNDInterpolation = taken(their_interpolation.TestLinearNDInterpolation)
 TestEstimateGradients2DGlobal = taken(their_interpolation.TestEstimateGradients2DGlobal)
 TestCloughTocher2DInterpolator = taken(their_interpolation.TestCloughTocher2DInterpolator)
 TestGriddata = taken(their_griddata.TestGriddata)
 TestNearestNDInterpolator = taken(their_griddata.TestNearestNDInterpolator)
 TestNDInterpolators = taken(their_griddata.TestNDInterpolators)
-
-
-@pytest.mark.parametrize("name", sorted(their_qhull.DATASETS))
-def test_hull_consistency_tri(name):
-    their_qhull.TestConvexHull().test_hull_consistency_tri(name)
 
 
 def test_issue_8051():

@@ -52,7 +52,7 @@ impl Bounds {
         }
     }
 
-    /// Returns false if no simplex of these can have `q` at coordinates of at least -`tolerance`: it
+    /// Returns false if in no simplex of these all coordinates of `q` can be at least -`tolerance`: it
     /// is then farther from the box than the tolerance lets simplices grow, `dim` times the
     /// tolerance of their extent.
     fn may_hold<const D: usize>(&self, q: &[f64; D], tolerance: f64) -> bool {
@@ -85,8 +85,8 @@ impl SimplexBoxes {
     }
 
     /// Finds simplices for those of the points (`count x dim`) that have none: the one in which the
-    /// least barycentric coordinate is largest, and at least -`tolerance`; the least id of equal
-    /// ones. Sets `simplices` and `weights`, which have what [`Index::weigh`](super::Index::weigh)
+    /// barycentric coordinates leave the range from 0 to 1 the least, by at most `tolerance`; the
+    /// least id of equal ones. Sets `simplices` and `weights`, which have what [`Index::weigh`](super::Index::weigh)
     /// has written, where there is one.
     ///
     /// # Errors
@@ -223,7 +223,7 @@ struct Search<'a, const D: usize> {
     q: &'a [f64; D],
     tolerance: f64,
     stop: Stop<'a>,
-    /// The least coordinate in the best simplex, and that simplex.
+    /// Excess of the coordinates in the best simplex, and that simplex.
     best: Option<(f64, u32)>,
     weights: [f64; MAX_DIM + 1],
 }
@@ -248,13 +248,130 @@ impl<const D: usize> Search<'_, D> {
         }
         let vertices = &self.view.points_of(self.view.simplex(simplex))[..=D];
         let weights = coordinates_in(vertices, (1 << (D + 1)) - 1, self.q);
-        let least = weights[..=D].iter().copied().fold(f64::INFINITY, f64::min);
-        // A simplex that is flat for doubles may have weights that are no numbers.
-        let holds = least >= -self.tolerance && weights[..=D].iter().all(|w| w.is_finite());
+        let excess = excess(&weights[..=D]);
         let is_better =
-            self.best.is_none_or(|(most, id)| least > most || (least == most && simplex < id));
-        if holds && is_better {
-            (self.best, self.weights) = (Some((least, simplex)), weights);
+            self.best.is_none_or(|(least, id)| excess < least || (excess == least && simplex < id));
+        if excess <= self.tolerance && is_better {
+            (self.best, self.weights) = (Some((excess, simplex)), weights);
         }
+    }
+}
+
+/// Returns by how much the farthest of the weights is outside the range from 0 to 1; infinity where
+/// one is no number, as in a simplex that is flat for doubles.
+fn excess(weights: &[f64]) -> f64 {
+    let beyond = |weight: &f64| match weight.is_nan() {
+        true => f64::INFINITY,
+        false => (-weight).max(weight - 1.0),
+    };
+    weights.iter().map(beyond).fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::query::Index;
+    use crate::query::tests::{delaunay, each_mesh, hard_points, meshed};
+
+    /// Returns the simplex that `q` is the least outside of, by a look at all.
+    fn best<const D: usize>(mesh: &Triangulation, q: &[f64; D], tolerance: f64) -> u32 {
+        let view = View::<D> { mesh };
+        let mut best = (tolerance, NONE);
+        for simplex in 0..mesh.simplex_count() as u32 {
+            let vertices = &view.points_of(view.simplex(simplex))[..=D];
+            let weights = coordinates_in(vertices, (1 << (D + 1)) - 1, q);
+            let (low, high) = weights[..=D]
+                .iter()
+                .fold((0.0f64, 1.0f64), |(low, high), &weight| (low.min(weight), high.max(weight)));
+            let excess = (-low).max(high - 1.0);
+            let is_finite = weights[..=D].iter().all(|weight| weight.is_finite());
+            if is_finite && (excess < best.0 || (excess == best.0 && best.1 == NONE)) {
+                best = (excess, simplex);
+            }
+        }
+        best.1
+    }
+
+    fn answers_are_right<const D: usize>(count: usize, queries: usize) {
+        each_mesh::<D>(count, |mesh, _| {
+            let mesh = mesh.triangulation().unwrap();
+            let (index, boxes) = (Index::new(mesh).unwrap(), SimplexBoxes::new(mesh).unwrap());
+            let points = hard_points::<D>(mesh, queries);
+            let flat = points.as_flattened();
+            for tolerance in [0.0, 1e-13, 0.01, 0.4] {
+                let mut simplices = vec![0; points.len()];
+                let mut weights = vec![0.0; points.len() * (D + 1)];
+                index.weigh(mesh, flat, 1, &mut simplices, &mut weights).unwrap();
+                let held = simplices.clone();
+                boxes.weigh_within(mesh, tolerance, flat, 2, &mut simplices, &mut weights).unwrap();
+                for (at, q) in points.iter().enumerate() {
+                    let own = &weights[at * (D + 1)..][..D + 1];
+                    let least = own.iter().copied().fold(f64::INFINITY, f64::min);
+                    if held[at] != NONE {
+                        assert!(simplices[at] == held[at] && least >= -1e-9, "{least}");
+                        continue;
+                    }
+                    assert_eq!(simplices[at], best(mesh, q, tolerance), "{q:?} {tolerance}");
+                    let is_nan = own.iter().all(|weight| weight.is_nan());
+                    let largest = own.iter().copied().fold(0.0, f64::max);
+                    let is_near = least >= -tolerance && largest <= 1.0 + tolerance;
+                    assert!(if simplices[at] == NONE { is_nan } else { is_near });
+                }
+            }
+        });
+    }
+
+    #[test]
+    fn a_point_outside_has_the_simplex_that_it_is_least_outside_of() {
+        answers_are_right::<2>(40, 40);
+        answers_are_right::<3>(15, 15);
+        answers_are_right::<5>(7, 3);
+    }
+
+    #[test]
+    fn weights_combine_vertices_to_the_point() {
+        let points = [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0], [4.0, 4.0]];
+        let mesh = meshed(&points, &delaunay()).unwrap();
+        let mesh = mesh.triangulation().unwrap();
+        let index = Index::new(mesh).unwrap();
+        let (mut simplices, mut weights) = ([9; 3], [9.0; 9]);
+        let queries = [1.0, 0.0, 4.0, 4.0, 5.0, 5.0];
+        index.weigh(mesh, &queries, 1, &mut simplices, &mut weights).unwrap();
+        for (at, q) in queries.chunks(2).enumerate().take(2) {
+            let own = &weights[3 * at..][..3];
+            let mut sum = [0.0; 2];
+            for (&vertex, weight) in mesh.simplex(simplices[at] as usize).iter().zip(own) {
+                let point = mesh.point(vertex);
+                (0..2).for_each(|axis| sum[axis] += weight * point[axis]);
+            }
+            assert_eq!(sum, q);
+            // One is on an edge, the other one a vertex.
+            assert_eq!(own.iter().filter(|&&weight| weight == 0.0).count(), at + 1);
+        }
+        assert!(simplices[2] == NONE && weights[6..].iter().all(|weight| weight.is_nan()));
+    }
+
+    #[test]
+    fn what_is_wrong_is_refused() {
+        let points = [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]];
+        let mesh = meshed(&points, &delaunay()).unwrap();
+        let mesh = mesh.triangulation().unwrap();
+        let boxes = SimplexBoxes::new(mesh).unwrap();
+        let refusal = |tolerance: f64, points: &[f64], weights: &mut [f64]| {
+            let found = boxes.weigh_within(mesh, tolerance, points, 1, &mut [NONE], weights);
+            found.unwrap_err().message().to_owned()
+        };
+        let (x, weights) = ([1.0, 1.0], &mut [0.0; 3]);
+        for tolerance in [-1.0, f64::INFINITY, f64::NAN] {
+            let rule = format!("tol is {tolerance}; it must be at least 0 and finite");
+            assert_eq!(refusal(tolerance, &x, weights), rule);
+        }
+        assert!(refusal(0.0, &x[1..], weights).starts_with("points has length 1; it must be"));
+        assert!(refusal(0.0, &x, &mut weights[1..]).starts_with("weights has length 2; it must"));
+        assert_eq!(refusal(0.0, &[0.0, f64::NAN], weights), "points[0] is not finite");
+        let other = meshed(&[[0.0, 0.0], [4.0, 0.0], [0.0, 4.0], [1.0, 1.0]], &delaunay()).unwrap();
+        let other = other.triangulation().unwrap();
+        let found = boxes.weigh_within(other, 0.0, &x, 1, &mut [NONE], weights);
+        assert_eq!(found.unwrap_err().message(), "the boxes were made for another mesh");
     }
 }

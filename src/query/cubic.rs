@@ -191,3 +191,143 @@ impl Net {
         edge + w * (3.0 * first + w * (3.0 * second + w * self.centroid))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::testing::{Family, Random, points};
+    use crate::query::tests::{delaunay, meshed};
+    use crate::{ErrorKind, Mesh, Triangulation};
+
+    fn mesh() -> Mesh {
+        meshed(&points::<2>(Family::Uniform, 60, &mut Random(5)), &delaunay()).unwrap()
+    }
+
+    fn triangles(mesh: &Triangulation) -> Triangles<'_> {
+        Triangles { points: &mesh.points, simplices: &mesh.simplices, neighbors: &mesh.neighbors }
+    }
+
+    /// Returns the value at a place in a triangle, that is, also a little beyond it.
+    fn at(cubics: &Cubics<'_>, triangle: u32, weights: [f64; 3]) -> f64 {
+        let mut out = [0.0];
+        cubics.evaluate(&[triangle], &weights, 1, &mut out).unwrap();
+        out[0]
+    }
+
+    fn place(triangles: Triangles<'_>, triangle: u32, weights: [f64; 3]) -> [f64; 2] {
+        let mut sum = [0.0; 2];
+        for (&vertex, weight) in triangles.vertices(triangle).iter().zip(weights) {
+            (0..2).for_each(|axis| sum[axis] += weight * triangles.point(vertex)[axis]);
+        }
+        sum
+    }
+
+    /// Quadratic functions have derivatives across edges that are linear along them.
+    #[test]
+    fn quadratic_functions_are_reproduced() {
+        let mesh = mesh();
+        let triangles = triangles(mesh.triangulation().unwrap());
+        let value = |[x, y]: [f64; 2]| [3.0 * x * x - x * y + y, 2.0 * y * y - 1.0];
+        let gradient = |[x, y]: [f64; 2]| [6.0 * x - y, 1.0 - x, 0.0, 4.0 * y];
+        let all = (0..triangles.vertex_count() as u32).map(|vertex| *triangles.point(vertex));
+        let values: Vec<f64> = all.clone().flat_map(value).collect();
+        let gradients: Vec<f64> = all.flat_map(gradient).collect();
+        let values = Values { components: 2, values: &values };
+        let cubics = Cubics { triangles, values, gradients: &gradients };
+        let mut random = Random(9);
+        let mut size = 0.0f64;
+        for triangle in 0..triangles.count() as u32 {
+            let parts = [0; 3].map(|_| 1.0 + random.unit());
+            let sum = parts[0] + parts[1] + parts[2];
+            let weights = parts.map(|part| part / sum);
+            let mut out = [0.0; 2];
+            cubics.evaluate(&[triangle], &weights, 1, &mut out).unwrap();
+            let expected = value(place(triangles, triangle, weights));
+            for (found, expected) in out.into_iter().zip(expected) {
+                size = size.max(expected.abs());
+                assert!((found - expected).abs() < 1e-12 * (1.0 + size), "{found} {expected}");
+            }
+        }
+        assert!(size > 1.0);
+    }
+
+    /// Across edges and within triangles values and gradients agree, whatever the values given;
+    /// and at vertices they are these.
+    #[test]
+    fn the_gradient_is_continuous() {
+        let mesh = mesh();
+        let triangles = triangles(mesh.triangulation().unwrap());
+        let mut random = Random(2);
+        let values: Vec<f64> = (0..triangles.vertex_count()).map(|_| random.unit()).collect();
+        let gradients: Vec<f64> = (0..2 * values.len()).map(|_| random.unit()).collect();
+        let given = Values { components: 1, values: &values };
+        let cubics = Cubics { triangles, values: given, gradients: &gradients };
+        let mut compared = 0;
+        for triangle in 0..triangles.count() as u32 {
+            let own = triangles.vertices(triangle);
+            for k in 0..3 {
+                let mut corner = [0.0; 3];
+                corner[k] = 1.0;
+                assert_eq!(at(&cubics, triangle, corner), values[own[k] as usize]);
+                let neighbor = triangles.neighbors_of(triangle)[k];
+                if neighbor == NONE {
+                    continue;
+                }
+                let points = own.map(|vertex| triangles.point(vertex));
+                let others = triangles.vertices(neighbor).map(|vertex| triangles.point(vertex));
+                // On the edge, and a step to either side of it, by both triangles' cubics: these go
+                // on beyond their triangles as they are.
+                let mut on_edge = [0.3; 3];
+                (on_edge[k], on_edge[(k + 1) % 3]) = (0.0, 0.7);
+                let q = place(triangles, triangle, on_edge);
+                let size = place(triangles, triangle, [1.0 / 3.0; 3]);
+                let step = [1e-6 * (size[0] - q[0]), 1e-6 * (size[1] - q[1])];
+                let there = |side: f64| [q[0] + side * step[0], q[1] + side * step[1]];
+                let value = |triangle, points: &[&[f64; 2]; 3], side| {
+                    at(&cubics, triangle, {
+                        let weights = coordinates_in(points, 0b111, &there(side));
+                        [weights[0], weights[1], weights[2]]
+                    })
+                };
+                let by_own = [-1.0, 0.0, 1.0].map(|side| value(triangle, &points, side));
+                let by_other = [-1.0, 0.0, 1.0].map(|side| value(neighbor, &others, side));
+                assert!((by_own[1] - by_other[1]).abs() < 1e-13);
+                let slopes = [by_own, by_other].map(|[before, _, after]| (after - before) / 2e-6);
+                assert!((slopes[0] - slopes[1]).abs() < 1e-6, "{slopes:?}");
+                compared += 1;
+            }
+            // Beside a line from a vertex to the centroid.
+            let along = [0.6, 0.2, 0.2];
+            let across = |side: f64| [along[0], along[1] + side * 1e-6, along[2] - side * 1e-6];
+            let [before, on, after] =
+                [-1.0, 0.0, 1.0].map(|side| at(&cubics, triangle, across(side)));
+            assert!((after - 2.0 * on + before).abs() < 1e-9, "{}", after - 2.0 * on + before);
+        }
+        assert!(compared > 100);
+    }
+
+    #[test]
+    fn what_is_outside_or_wrong() {
+        let mesh = mesh();
+        let triangles = triangles(mesh.triangulation().unwrap());
+        let values = vec![1.0; triangles.vertex_count()];
+        let gradients = vec![0.0; 2 * values.len()];
+        let given = Values { components: 1, values: &values };
+        let cubics = Cubics { triangles, values: given, gradients: &gradients };
+        assert!(at(&cubics, NONE, [f64::NAN; 3]).is_nan());
+        let refusal = |cubics: Cubics<'_>, simplex: u32, weights: &[f64], out: &mut [f64]| {
+            let error = cubics.evaluate(&[simplex], weights, 1, out).unwrap_err();
+            assert_eq!(error.kind(), ErrorKind::InvalidArgument);
+            error.message().to_owned()
+        };
+        let weights = [1.0, 0.0, 0.0];
+        let out = &mut [0.0];
+        assert!(
+            refusal(cubics, 9999, &weights, out).starts_with("simplices[0] is 9999; there are")
+        );
+        assert_eq!(refusal(cubics, 0, &[], out), "weights has length 0; it must be 3");
+        assert_eq!(refusal(cubics, 0, &weights, &mut []), "out has length 0; it must be 1");
+        let short = Cubics { gradients: &gradients[1..], ..cubics };
+        assert_eq!(refusal(short, 0, &weights, out), "gradients has length 119; it must be 120");
+    }
+}

@@ -23,7 +23,6 @@ def main():
     gauges = 100 * rng.random((500, 2))
     measured = rainfall(*gauges.T)
 
-    # [interpolation]
     tri = Delaunay(gauges)
     cubic = CloughTocher2DInterpolator(tri, measured)
     linear = LinearNDInterpolator(tri, measured)
@@ -33,7 +32,6 @@ def main():
         name: float(np.abs(found(x, y) - rainfall(x, y)).mean())
         for name, found in [("cubic", cubic), ("linear", linear), ("nearest", nearest)]
     }
-    # [end]
 
     road = np.column_stack([np.linspace(-10, 110, 25), np.full(25, 42.0)])
     along = griddata(gauges, measured, road, method="cubic", fill_value=-1.0)

@@ -5,7 +5,7 @@
 """
 
 from . import _errors
-from ._clough_tocher import CloughTocher2DInterpolator, GradientEstimationWarning
+from ._clough_tocher import CloughTocher2DInterpolator
 from ._convex_hull import ConvexHull
 from ._delaunay import Delaunay
 from ._errors import (
@@ -17,6 +17,7 @@ from ._errors import (
     Error,
     FileError,
     FormatError,
+    GradientEstimationWarning,
     InternalError,
     InvalidArgumentError,
     LimitError,

@@ -8,13 +8,9 @@ from typing import Any, Optional, Union
 import numpy as np
 
 from ._arrays import contiguous, number
-from ._errors import InvalidArgumentError
+from ._errors import GradientEstimationWarning, InvalidArgumentError
 from ._interpolator import SimplexInterpolator
 from ._netmesh import cubic, estimate_gradients
-
-
-class GradientEstimationWarning(RuntimeWarning):
-    """The gradients of an interpolator have not converged within `maxiter` sweeps."""
 
 
 class CloughTocher2DInterpolator(SimplexInterpolator):
@@ -63,12 +59,13 @@ class CloughTocher2DInterpolator(SimplexInterpolator):
     --------
     >>> import numpy as np
     >>> from netmesh import CloughTocher2DInterpolator, LinearNDInterpolator
-    >>> points, x = np.random.default_rng(1).random((2, 1000, 2))
+    >>> points, x = np.random.default_rng(1).random((2, 5000, 2))
+    >>> x = 0.1 + 0.8 * x
     >>> wave = lambda p: np.sin(3 * p[:, 0]) * np.cos(2 * p[:, 1])
-    >>> cubic = CloughTocher2DInterpolator(points, wave(points), outside="nearest")
-    >>> linear = LinearNDInterpolator(points, wave(points), outside="nearest")
-    >>> errors = [float(np.median(np.abs(f(x) - wave(x)))) for f in (cubic, linear)]
-    >>> errors[0] < 0.1 * errors[1]
+    >>> cubic = CloughTocher2DInterpolator(points, wave(points))
+    >>> linear = LinearNDInterpolator(points, wave(points))
+    >>> errors = [float(np.abs(f(x) - wave(x)).mean()) for f in (cubic, linear)]
+    >>> errors[0] < 0.2 * errors[1]
     True
     """
 

@@ -107,7 +107,8 @@ class ConvexHull:
         order = [min(after)]
         while after[order[-1]] != order[0]:
             order.append(after[order[-1]])
-        x, y = self.points[order].T - self.points[order[0]][:, None]
+        around = self.points[order] - self.points[order[0]]
+        x, y = (around / np.abs(around).max()).T
         turned = float(x @ np.roll(y, -1) - y @ np.roll(x, -1))
         found = order if turned > 0 else order[:1] + order[:0:-1]
         return np.fromiter(found, np.int32)
@@ -120,8 +121,10 @@ class ConvexHull:
     def equations(self) -> np.ndarray:
         corners = self.points[self.simplices]
         edges = corners[:, 1:] - corners[:, :1]
-        lengths = np.linalg.norm(edges, axis=2, keepdims=True)
-        normals = np.linalg.svd(edges / lengths)[2][:, -1]
+        # Squares of small lengths are no doubles.
+        edges /= np.abs(edges).max(axis=2, keepdims=True)
+        edges /= np.linalg.norm(edges, axis=2, keepdims=True)
+        normals = np.linalg.svd(edges)[2][:, -1]
         # The middle of the vertices is inside.
         inside = self.points[self.vertices].mean(axis=0)
         normals *= -np.sign(np.einsum("fk,fk->f", normals, inside - corners[:, 0]))[:, None]

@@ -35,7 +35,8 @@ def projector(core: Core, points: Any, outside: str, tol: Optional[float], threa
         columns[missing, 0], _ = core.nearest(points[missing], "vertices", threads)
         weights[missing, 0] = 1
     order = np.argsort(columns, axis=1)
-    columns, weights = (np.take_along_axis(of, order, axis=1) for of in (columns, weights))
+    columns = np.take_along_axis(columns, order, axis=1)
+    weights = np.take_along_axis(weights, order, axis=1)
     is_kept = weights != 0
     starts = np.concatenate([[0], np.cumsum(is_kept.sum(axis=1))])
     shape = (len(points), len(core.points))

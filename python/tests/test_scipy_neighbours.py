@@ -19,7 +19,8 @@ def wave(points):
 
 
 def given_values(points, shape, is_complex, random):
-    values = wave(points).reshape(-1, *[1] * len(shape)) + 0.1 * random.random((len(points), *shape))
+    noise = random.random((len(points), *shape))
+    values = wave(points).reshape(-1, *[1] * len(shape)) + 0.1 * noise
     return values + (1j * random.random(values.shape) if is_complex else 0)
 
 

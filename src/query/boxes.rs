@@ -284,8 +284,11 @@ mod tests {
                 .iter()
                 .fold((0.0f64, 1.0f64), |(low, high), &weight| (low.min(weight), high.max(weight)));
             let excess = (-low).max(high - 1.0);
-            let is_finite = weights[..=D].iter().all(|weight| weight.is_finite());
-            if is_finite && (excess < best.0 || (excess == best.0 && best.1 == NONE)) {
+            // The weights in a simplex that is flat for doubles need not combine its vertices to the
+            // point.
+            let is_sound = weights[..=D].iter().all(|weight| weight.is_finite())
+                && Bounds::of_simplex(view, simplex).may_hold(q, tolerance);
+            if is_sound && (excess < best.0 || (excess == best.0 && best.1 == NONE)) {
                 best = (excess, simplex);
             }
         }

@@ -210,7 +210,7 @@ mod tests {
 
     const CONVERGENCE: Convergence = Convergence { tolerance: 1e-13, max_iterations: 10_000 };
 
-    /// A fan of six triangles round the origin, and a vertex that no triangle has.
+    /// Returns a fan of six triangles round the origin, and a vertex that no triangle has.
     fn fan() -> ([f64; 16], Vec<u32>, Vec<u32>) {
         let points =
             [0.0, 0.0, 2.0, 0.1, 1.0, 1.5, -0.7, 1.2, -1.5, 0.0, -0.9, -1.0, 0.8, -1.1, 7.0, 7.0];
@@ -223,7 +223,7 @@ mod tests {
         (points, simplices, neighbors)
     }
 
-    /// Integral of the squared second derivatives along all edges, by Simpson's rule, which is
+    /// Returns the integral of the squared second derivatives along all edges, by Simpson's rule, which is
     /// exact for it.
     fn bending(triangles: Triangles<'_>, values: &[f64], gradients: &[f64]) -> f64 {
         let mut sum = 0.0;

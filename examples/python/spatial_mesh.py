@@ -62,18 +62,20 @@ def main():
     rng = np.random.default_rng(3)
     # Half of the places are in clusters, nearer to each other than the field can tell.
     centers = rng.random((40, 2))
-    places = np.concatenate([rng.random((400, 2)), centers.repeat(10, axis=0) + 0.005 * rng.normal(size=(400, 2))])
+    clusters = centers.repeat(10, axis=0) + 0.005 * rng.normal(size=(400, 2))
+    places = np.concatenate([rng.random((400, 2)), clusters])
     measured = truth(places) + NOISE * rng.normal(size=len(places))
     made = mesh_of(places)
     mesh = made.mesh
     field = estimate(mesh, places, measured)
     at = np.stack(np.meshgrid(*2 * [np.linspace(0.05, 0.95, 40)]), axis=-1).reshape(-1, 2)
     error = mesh.projector(at, outside="refuse") @ field - truth(at)
+    inner = np.unique(mesh.simplices[mesh.simplex_regions == 1])
     return {
         "places": len(places),
         "meshed": int((made.representatives == np.arange(len(places))).sum()),
         "vertices": len(mesh.points),
-        "vertices of the ring alone": int(len(mesh.points) - len(np.unique(mesh.simplices[mesh.simplex_regions == 1]))),
+        "vertices of the ring alone": len(mesh.points) - len(inner),
         "smallest angle": mesh.quality().min_angle_degrees,
         "root of the mean squared error": float(np.sqrt((error**2).mean())),
     }

@@ -12,7 +12,7 @@ from typing import Any, Optional
 
 import numpy as np
 
-from ._errors import ArgumentTypeError, InvalidArgumentError
+from ._errors import ArgumentTypeError, InvalidArgumentError, NonFiniteError
 from ._netmesh import Core
 
 #: Doubles have all whole numbers up to this one.
@@ -84,6 +84,15 @@ def point_rows(points: Any, name: str = "points") -> np.ndarray:
     if width != 8 or step % 8 or step < 8 * found.shape[1]:
         found = np.ascontiguousarray(found)
     return found
+
+
+def require_finite(points: np.ndarray, name: str) -> None:
+    """Refuse points, shape (n, dim), that are not all finite."""
+    is_finite = np.isfinite(points)
+    if not is_finite.all():
+        at, axis = np.argwhere(~is_finite)[0]
+        message = f"{name}[{at}] has a non-finite coordinate {axis}: {points[at, axis]}"
+        raise NonFiniteError(f"{message}; every coordinate must be finite")
 
 
 def contiguous(made: np.ndarray) -> np.ndarray:

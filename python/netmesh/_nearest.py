@@ -6,7 +6,7 @@ from typing import Any, Optional
 
 import numpy as np
 
-from ._arrays import array, contiguous, coordinates, number, point_rows, value_columns
+from ._arrays import array, contiguous, coordinates, number, point_rows, require_finite, value_columns
 from ._errors import ArgumentTypeError, DimensionError, InvalidArgumentError
 from ._interpolator import rescaled
 from ._point_index import PointIndex
@@ -60,6 +60,7 @@ class NearestNDInterpolator:
             raise InvalidArgumentError(f"x has shape {points.shape}; it must be (npoints, ndim)")
         if not 2 <= points.shape[1] <= 8:
             raise DimensionError(f"x has shape {points.shape}; points must have 2 to 8 coordinates")
+        require_finite(points, "x")
         self.points, self.offset, self.scale = rescaled(point_rows(points), rescale)
         self._index = PointIndex(self.points)
         given = array(y, "y")
@@ -89,6 +90,7 @@ class NearestNDInterpolator:
         bound, threads = self._options(query_options)
         ndim = self.points.shape[1]
         xi = coordinates(args, "xi", ndim)
+        require_finite(xi.reshape(-1, ndim), "xi")
         if self.scale is not None:
             xi = (xi - self.offset) / self.scale
         found, distances = self._index.nearest(contiguous(xi.reshape(-1, ndim)), threads)
@@ -107,4 +109,11 @@ class NearestNDInterpolator:
         # No distance is too large without a bound.
         bound = np.nextafter(np.inf, 0) if bound == np.inf else bound
         workers = given.get("workers", None)
-        return bound, self.threads if workers is None else max(workers, 0)
+        if workers is None:
+            return bound, self.threads
+        if isinstance(workers, bool) or not isinstance(workers, (int, np.integer)):
+            kind = type(workers).__name__
+            raise ArgumentTypeError(f"workers is of type {kind}; it must be a whole number")
+        if workers < -1:
+            raise InvalidArgumentError(f"workers is {workers}; it must be -1 or more")
+        return bound, max(int(workers), 0)

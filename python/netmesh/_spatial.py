@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from . import _netmesh
-from ._arrays import contiguous, doubles, number, point_rows
-from ._errors import ArgumentTypeError, InvalidArgumentError, NonFiniteError
+from ._arrays import contiguous, doubles, number, point_rows, require_finite
+from ._errors import ArgumentTypeError, InvalidArgumentError
 from ._mesh import Mesh, mesh
 
 #: Arguments of `mesh` that `spatial_mesh` gives itself.
@@ -199,17 +199,8 @@ def plane_points(points: Any) -> np.ndarray:
     found = point_rows(points)
     if found.shape[1] != 2 or len(found) == 0:
         raise InvalidArgumentError(f"points has shape {found.shape}; it must be (n, 2), n at least 1")
-    _require_finite(found)
+    require_finite(found, "points")
     return found
-
-
-def _require_finite(points: np.ndarray) -> None:
-    is_finite = np.isfinite(points)
-    if not is_finite.all():
-        at, axis = np.argwhere(~is_finite)[0]
-        value = points[at, axis]
-        message = f"points[{at}] has a non-finite coordinate {axis}: {value}"
-        raise NonFiniteError(f"{message}; every coordinate must be finite")
 
 
 def _pair(given: Any, name: str) -> tuple[float, float]:

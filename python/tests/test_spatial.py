@@ -12,7 +12,8 @@ def test_a_projector_interpolates(dim, random):
     m = netmesh.mesh(random.random((200 if dim < 4 else 30, dim)))
     x = random.random((300, dim))
     A = m.projector(x, threads=2)
-    assert isinstance(A, scipy.sparse.csr_array) and A.shape == (300, len(m.points)) and A.has_canonical_format
+    assert isinstance(A, scipy.sparse.csr_array) and A.has_canonical_format
+    assert A.shape == (300, len(m.points))
     values = random.random((len(m.points), 3))
     assert np.allclose(A @ values, m.interpolate(values, x), rtol=0, atol=1e-12)
     assert np.allclose(A @ m.points, x, rtol=0, atol=1e-12)
@@ -46,7 +47,8 @@ def test_a_projector_at_vertices_and_outside(random):
     ]:
         with pytest.raises(netmesh.InvalidArgumentError, match=text):
             m.projector(x, **arguments)
-    for wrong, text in [(x[0], r"^points has shape \(2,\); it must be \(n, 2\)"), (x * np.nan, r"^points\[0\] has a")]:
+    shape = r"^points has shape \(2,\); it must be \(n, 2\)"
+    for wrong, text in [(x[0], shape), (x * np.nan, r"^points\[0\] has a non-finite")]:
         with pytest.raises(netmesh.InvalidArgumentError, match=text):
             m.projector(wrong)
 

@@ -99,15 +99,13 @@ class SimplexInterpolator:
         return of_points if is_same else of_points[self.tri._first_inputs]
 
     def _places(self, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return the simplices that hold points, -1 outside, and barycentric coordinates there."""
+        """Return the simplices that hold points, -1 outside, and barycentric coordinates inside."""
         if not self._is_scipys:
             return self.tri._places(rows, self.simplex_tol, self.threads)
         simplices = self.tri.find_simplex(rows, tol=self.simplex_tol)
         transform = self.tri.transform[simplices]
         first = np.einsum("nij,nj->ni", transform[:, :-1], rows - transform[:, -1])
-        weights = np.column_stack([first, 1 - first.sum(axis=1)])
-        weights[simplices == -1] = np.nan
-        return simplices, weights
+        return simplices, np.column_stack([first, 1 - first.sum(axis=1)])
 
     def _nearest_points(self, rows: np.ndarray) -> np.ndarray:
         if not self._is_scipys:

@@ -86,9 +86,6 @@ def griddata(
 
 
 def _of_one_dimension(points: Any, values: Any, xi: Any, *others: Any) -> np.ndarray:
-    try:
-        import scipy.interpolate
-    except ImportError:
-        message = "points of one dimension are left to SciPy, which is not installed"
-        raise InvalidArgumentError(message) from None
+    import scipy.interpolate
+
     return scipy.interpolate.griddata(points, values, xi, *others)

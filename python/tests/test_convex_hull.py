@@ -64,6 +64,21 @@ def test_points_between_others_are_no_vertices(dim, n, random):
     assert np.isclose(netmesh.ConvexHull(grid).area, 2 * dim * (n - 1) ** (dim - 1))
 
 
+@pytest.mark.parametrize("dim", [2, 3, 4])
+def test_points_between_others_whose_determinants_are_rounded(dim, random):
+    count = 30
+    corners = 12.0 * random.integers(-(2**40), 2**40, (count, dim))
+    facets = scipy.spatial.ConvexHull(corners).simplices
+    # Middles of facets are whole numbers, too, which doubles have; their determinants are not zero.
+    middles = corners[facets].sum(axis=1) / dim
+    assert (middles * dim == corners[facets].sum(axis=1)).all()
+    points = np.concatenate([middles[:3], middles, corners])
+    hull = netmesh.ConvexHull(points)
+    expected = scipy.spatial.ConvexHull(corners)
+    assert (np.unique(hull.vertices) - len(middles) - 3).tolist() == np.unique(expected.vertices).tolist()
+    assert np.isclose(hull.volume, expected.volume, rtol=1e-9)
+
+
 @pytest.mark.parametrize("dim", [2, 3])
 def test_a_point_that_is_outside_by_one_rounding_is_a_vertex(dim):
     corners = np.array(list(itertools.product([0.0, 1.0], repeat=dim)))

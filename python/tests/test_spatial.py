@@ -134,6 +134,10 @@ def test_an_offset_hull_keeps_long_edges():
         for side in (low, high):
             assert np.isclose(hull[:, axis], side).sum() == 2
         assert np.isclose(hull[:, axis].min(), low) and np.isclose(hull[:, axis].max(), high)
+    # Of edges that differ little in direction the longest counts.
+    for given in ([[0, 0], [10, 0], [10.5, 0.05], [10.5, 5], [0, 5]], [[0.5, 0], [10.5, 0], [0, 0.05], [5, 9]]):
+        hull = netmesh.offset_hull(given, 1, 8)
+        assert np.isclose(hull[:, 1], -1, rtol=0, atol=1e-9).sum() == 2
     for arguments, text in [
         (([[0, 0]], 0), "^distance is 0.0; it must be above 0"),
         (([[0, 0]], np.nan), "^distance is nan"),

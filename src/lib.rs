@@ -40,7 +40,7 @@ pub use mesh::{
     HoleFilling, Inputs, Intersection, IntersectionKind, LeftOut, Mesh, NONE, Region, Segments,
     Stats, Subsegment, Triangulation, VertexKind,
 };
-pub use nearest::merge_points;
+pub use nearest::{merge_points, representatives};
 pub use options::{
     Algorithm, Criterion, Crossings, Extent, GivesWay, Interior, Labels, NetOrdering, Options,
     Output, Phase, Progress, ProgressFn,

@@ -1,10 +1,12 @@
 """Time-optimal point meshing: conforming quality Delaunay meshes in 2 to 8 dimensions.
 
 `mesh` makes a mesh of linear size with a bound on its quality, whatever the spread of the points.
-`Delaunay`, `LinearNDInterpolator` and `Voronoi` have the names and meanings of SciPy's.
+`Delaunay`, `Voronoi`, `ConvexHull`, `griddata` and the interpolators have SciPy's names and meanings.
 """
 
 from . import _errors
+from ._clough_tocher import CloughTocher2DInterpolator
+from ._convex_hull import ConvexHull
 from ._delaunay import Delaunay
 from ._domain import Domain, domain
 from ._errors import (
@@ -16,6 +18,7 @@ from ._errors import (
     Error,
     FileError,
     FormatError,
+    GradientEstimationWarning,
     InternalError,
     InvalidArgumentError,
     LimitError,
@@ -24,8 +27,10 @@ from ._errors import (
     StateError,
 )
 from ._filtration import Filtration
+from ._griddata import griddata
 from ._interpolator import LinearNDInterpolator
 from ._mesh import Mesh, mesh
+from ._nearest import NearestNDInterpolator
 from ._netmesh import VERSION as __version__
 from ._netmesh import Progress
 from ._part import Part
@@ -44,6 +49,7 @@ from ._results import (
     VoronoiCells,
 )
 from ._shape import AlphaShape, FaceClass
+from ._spatial import SpatialMesh, offset_hull, representatives, spatial_mesh
 from ._voronoi import Voronoi
 
 __all__ = [
@@ -52,6 +58,8 @@ __all__ = [
     "CSR",
     "CancelledError",
     "CapacityError",
+    "CloughTocher2DInterpolator",
+    "ConvexHull",
     "DegenerateInputError",
     "Delaunay",
     "DimensionError",
@@ -62,12 +70,14 @@ __all__ = [
     "FileError",
     "Filtration",
     "FormatError",
+    "GradientEstimationWarning",
     "InternalError",
     "Intersection",
     "InvalidArgumentError",
     "LimitError",
     "LinearNDInterpolator",
     "Mesh",
+    "NearestNDInterpolator",
     "NonFiniteError",
     "OddEdge",
     "OutOfMemoryError",
@@ -76,6 +86,7 @@ __all__ = [
     "Progress",
     "Quality",
     "Report",
+    "SpatialMesh",
     "StateError",
     "Stats",
     "VertexKind",
@@ -84,10 +95,14 @@ __all__ = [
     "VoronoiCells",
     "close_holes",
     "domain",
+    "griddata",
     "intersections",
     "merge_points",
     "mesh",
     "odd_edges",
+    "offset_hull",
+    "representatives",
+    "spatial_mesh",
     "triangulate_facets",
 ]
 

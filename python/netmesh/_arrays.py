@@ -12,7 +12,7 @@ from typing import Any, Optional
 
 import numpy as np
 
-from ._errors import ArgumentTypeError, InvalidArgumentError
+from ._errors import ArgumentTypeError, InvalidArgumentError, NonFiniteError
 from ._netmesh import Core
 
 #: Doubles have all whole numbers up to this one.
@@ -56,6 +56,14 @@ def number(value: Any, name: str) -> float:
     return float(found)
 
 
+def tolerance(value: Any, name: str, default: float) -> float:
+    """Make a float of a tolerance, which is not negative; `default` for None."""
+    found = default if value is None else number(value, name)
+    if not 0 <= found < np.inf:
+        raise InvalidArgumentError(f"{name} is {found}; it must be at least 0 and finite")
+    return found
+
+
 def whole_numbers(values: Any, name: str) -> np.ndarray:
     """Make contiguous int64 of whole numbers of any shape."""
     given = array(values, name)
@@ -76,6 +84,20 @@ def point_rows(points: Any, name: str = "points") -> np.ndarray:
     if width != 8 or step % 8 or step < 8 * found.shape[1]:
         found = np.ascontiguousarray(found)
     return found
+
+
+def require_finite(points: np.ndarray, name: str) -> None:
+    """Refuse points, shape (n, dim), that are not all finite."""
+    is_finite = np.isfinite(points)
+    if not is_finite.all():
+        at, axis = np.argwhere(~is_finite)[0]
+        message = f"{name}[{at}] has a non-finite coordinate {axis}: {points[at, axis]}"
+        raise NonFiniteError(f"{message}; every coordinate must be finite")
+
+
+def contiguous(made: np.ndarray) -> np.ndarray:
+    """Return an array of the package's own in the order that the library reads."""
+    return np.ascontiguousarray(made)
 
 
 def query_points(points: Any, dim: int, name: str = "points") -> np.ndarray:

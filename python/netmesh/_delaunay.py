@@ -7,7 +7,7 @@ from typing import Any, Optional
 
 import numpy as np
 
-from ._arrays import point_rows, query_points
+from ._arrays import contiguous, point_rows, query_points, tolerance
 from ._errors import InvalidArgumentError, NonFiniteError, StateError
 from ._mesh import Mesh
 
@@ -19,7 +19,7 @@ class Delaunay:
     """The Delaunay triangulation of points in 2 to 8 dimensions, as `scipy.spatial.Delaunay`.
 
     It is exact: every point is a vertex unless it equals an earlier one, no simplex is flat, and
-    `find_simplex` answers -1 outside the hull only.
+    `find_simplex` answers -1 outside the hull, there unless a tolerance is given, and nowhere else.
 
     Parameters
     ----------
@@ -245,21 +245,32 @@ class Delaunay:
         ----------
         xi : array_like of float, shape (..., ndim)
             In any order. A point with a coordinate that is not finite is outside.
-        bruteforce, tol
-            Without effect: the answer has no error that they would change.
+        bruteforce
+            Without effect: the answer does not depend on a path.
+        tol : float, optional
+            A point that no simplex holds belongs to the one in which its barycentric coordinates leave
+            the range from 0 to 1 the least, if that is by at most `tol`. By default 0; SciPy's default
+            is 2.2e-14.
 
         Returns
         -------
         ndarray of int32, shape (...)
-            -1 outside the hull. On a face that several simplices share, the least of them.
+            -1 outside. On a face that several simplices share, the least of them.
 
         Examples
         --------
         >>> from netmesh import Delaunay
-        >>> Delaunay([[0, 0], [1, 0], [0, 1]]).find_simplex([[0.5, 0.5], [2, 2]])
+        >>> tri = Delaunay([[0, 0], [1, 0], [0, 1]])
+        >>> tri.find_simplex([[0.5, 0.5], [2, 2]])
         array([ 0, -1], dtype=int32)
+        >>> tri.find_simplex([0.5, -0.01]), tri.find_simplex([0.5, -0.01], tol=0.02)
+        (array(-1, dtype=int32), array(0, dtype=int32))
         """
         xi = query_points(xi, self.ndim, "xi")
+        if tol is not None:
+            allowed = tolerance(tol, "tol", 0.0)
+            found, _ = self._places(xi.reshape(-1, self.ndim), allowed, self.threads)
+            return found.reshape(xi.shape[:-1])
         try:
             return self.mesh.locate(xi, threads=self.threads)
         except NonFiniteError:
@@ -267,6 +278,19 @@ class Delaunay:
             found = np.full(xi.shape[:-1], -1, np.int32)
             found[finite] = self.mesh.locate(xi[finite], threads=self.threads)
             return found
+
+    def _places(
+        self, rows: np.ndarray, allowed: float, threads: int
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Return the simplices that hold points, -1 outside, and barycentric coordinates there."""
+        weigh = self.mesh._core.weigh
+        finite = np.isfinite(rows).all(axis=1)
+        if finite.all():
+            return weigh(rows, allowed, threads)
+        simplices = np.full(len(rows), -1, np.int32)
+        weights = np.full((len(rows), self.ndim + 1), np.nan)
+        simplices[finite], weights[finite] = weigh(contiguous(rows[finite]), allowed, threads)
+        return simplices, weights
 
     def add_points(self, points: Any, restart: bool = False) -> None:
         """Add points: all are triangulated anew, whatever `restart`.

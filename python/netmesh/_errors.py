@@ -1,4 +1,4 @@
-"""Exceptions. Each is an `Error`, and also the exception that Python has for such an error."""
+"""Exceptions. Each is an `Error`, and also the exception that Python has for such an error; and a warning."""
 
 
 class Error(Exception):
@@ -62,3 +62,7 @@ class OutOfMemoryError(Error, MemoryError):
 
 class InternalError(Error, RuntimeError):
     """A defect of the library: an internal check failed."""
+
+
+class GradientEstimationWarning(RuntimeWarning):
+    """The gradients of an interpolator have not converged within `maxiter` sweeps."""

@@ -8,6 +8,7 @@ import numpy as np
 
 from ._arrays import query_points, shaped_values, value_columns, vertex_columns
 from ._netmesh import Core
+from ._projector import projector
 
 
 class Locations:
@@ -122,6 +123,49 @@ class Queries(Locations):
         rows = points.reshape(-1, self._dim)
         found = self._core.interpolate(columns, rows, interpolation, outside, threads)
         return shaped_values(found, values, points.shape[:-1])
+
+    def projector(
+        self,
+        points: Any,
+        *,
+        outside: str = "zero",
+        tol: Optional[float] = None,
+        threads: int = 1,
+    ) -> Any:
+        """Make the sparse matrix that takes values at the vertices to points, linear in simplices.
+
+        Row i has the barycentric coordinates of point i at the vertices of its simplex, as the
+        projector of INLA and fmesher has them: ``A @ values`` is ``interpolate(values, points)``, and
+        ``A.T`` distributes what is at points over the vertices. SciPy must be installed.
+
+        Parameters
+        ----------
+        points : array_like of float, shape (n, dim)
+        outside : {'zero', 'nearest', 'refuse'}
+            Points outside the mesh get a row without entries, or a one at the nearest vertex; or they
+            are refused with the first of them.
+        tol : float, optional
+            Barycentric coordinates from ``-tol`` to ``1 + tol`` count as inside: see
+            `Delaunay.find_simplex`. 2.2e-14 by default.
+        threads : int
+            0 for all cores.
+
+        Returns
+        -------
+        scipy.sparse.csr_array of float64, shape (n, vertices)
+            At most dim + 1 entries a row, which sum to 1. No zero is stored.
+
+        Examples
+        --------
+        >>> import numpy as np, netmesh
+        >>> m = netmesh.mesh([[0, 0], [1, 0], [0, 1]], algorithm="delaunay")
+        >>> A = m.projector([[0.25, 0.5], [1, 0], [3, 3]])
+        >>> A.toarray().round(12)
+        array([[0.25, 0.25, 0.5 ],
+               [0.  , 1.  , 0.  ],
+               [0.  , 0.  , 0.  ]])
+        """
+        return projector(self._core, points, outside, tol, threads)
 
     def extend_values(self, values: Any, *, threads: int = 1) -> np.ndarray:
         """Extend values at the inputs to all vertices.

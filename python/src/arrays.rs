@@ -71,6 +71,12 @@ pub fn fits(py: Python<'_>, count: usize) -> PyResult<()> {
     Err(raised(py, ErrorKind::Capacity, message))
 }
 
+/// Returns ids from Python as unsigned ones: -1 becomes [`netmesh::NONE`].
+pub fn given_ids(ids: &[i32]) -> &[u32] {
+    // SAFETY: the same size and alignment; any bits are a u32.
+    unsafe { std::slice::from_raw_parts(ids.as_ptr().cast(), ids.len()) }
+}
+
 /// Returns signed ids as unsigned ones to write to: [`netmesh::NONE`] becomes -1.
 pub fn unsigned(ids: &mut [i32]) -> &mut [u32] {
     // SAFETY: as in `signed`; any bits are a u32 too.

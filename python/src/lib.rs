@@ -7,6 +7,7 @@ mod core;
 mod derived;
 mod errors;
 mod export;
+mod interpolation;
 mod making;
 mod options;
 mod parts;
@@ -27,6 +28,8 @@ mod _netmesh {
     };
     #[pymodule_export]
     use crate::core::Core;
+    #[pymodule_export]
+    use crate::interpolation::{PointIndexCore, cubic, estimate_gradients, representatives};
     #[pymodule_export]
     use crate::progress::Progress;
     #[pymodule_export]

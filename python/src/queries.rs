@@ -140,6 +140,35 @@ impl Core {
         Ok(found)
     }
 
+    /// Returns the simplex of each point, -1 outside, and its barycentric coordinates there, NaN
+    /// outside. Simplices reach beyond themselves by `tolerance` in such coordinates, for points
+    /// that none holds.
+    fn weigh<'py>(
+        &self,
+        py: Python<'py>,
+        points: PyReadonlyArray2<'py, f64>,
+        tolerance: f64,
+        threads: &Bound<'py, PyAny>,
+    ) -> PyResult<Weights<'py>> {
+        let threads = whole("threads", threads, u32::MAX)?;
+        let (count, index) = (self.count(&points)?, self.index(py)?);
+        let mesh = self.triangulation();
+        let (found, weights) = (empty(py, [count])?, empty(py, (count, mesh.dim + 1))?);
+        let (mut ids, mut shares) = (found.readwrite(), weights.readwrite());
+        let (ids, shares) = (unsigned(ids.as_slice_mut()?), shares.as_slice_mut()?);
+        let (points, made) = (points.as_slice()?, &self.made);
+        stoppable(py, |stop| {
+            let work = Work { threads, stop };
+            index.weigh(mesh, points, work, ids, shares)?;
+            if tolerance == 0.0 || !ids.contains(&netmesh::NONE) {
+                return Ok(());
+            }
+            let boxes = made.prepared.boxes(&made.mesh)?;
+            boxes.weigh_within(mesh, tolerance, points, work, ids, shares)
+        })?;
+        Ok((found, weights))
+    }
+
     /// Returns the number of bytes of the index, which is made if there is none yet.
     fn index_bytes(&self, py: Python<'_>) -> PyResult<usize> {
         Ok(self.index(py)?.bytes())
@@ -270,6 +299,7 @@ impl Core {
     }
 }
 
+type Weights<'py> = (Bound<'py, PyArray1<i32>>, Bound<'py, PyArray2<f64>>);
 type Nearest<'py> = (Bound<'py, PyArray1<i32>>, Bound<'py, PyArray1<f64>>);
 type Ids = (Option<u32>, Option<u32>, Option<u32>);
 type Report = (u32, u64, u64, Option<(u32, String, Ids, String)>);

@@ -68,7 +68,9 @@ def test_everything_public_is_described():
         assert thing.__module__ == "netmesh" or not issubclass(type(thing), type) or (
             not issubclass(thing, Exception)
         )
-    for name in ("mesh", "Mesh", "Delaunay", "LinearNDInterpolator"):
+    named = ("mesh", "Mesh", "Delaunay", "LinearNDInterpolator", "CloughTocher2DInterpolator", "ConvexHull")
+    functions = ("NearestNDInterpolator", "griddata", "spatial_mesh", "representatives", "offset_hull")
+    for name in named + functions:
         assert ">>>" in getattr(netmesh, name).__doc__
 
 

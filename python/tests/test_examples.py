@@ -70,3 +70,33 @@ def test_many_points_tell_their_progress_and_stop_on_a_signal(tmp_path):
         running.send_signal(signal.SIGINT)
         said += running.stderr.read()
     assert running.returncode == 1 and said.endswith("stopped; nothing is left of the run\n")
+
+
+def test_a_script_of_scipys_has_the_same_results_with_its_imports_changed():
+    text = (EXAMPLES / "scipy_script.py").read_text()
+    theirs = text.replace("\nfrom netmesh import (\n", "\nfrom scipy.interpolate import (\n")
+    theirs = theirs.replace("\nfrom netmesh import ConvexHull", "\nfrom scipy.spatial import ConvexHull")
+    changed = [(a, b) for a, b in zip(text.splitlines(), theirs.splitlines()) if a != b]
+    assert len(changed) == 2 and all("import" in a and "scipy" in b for a, b in changed)
+    assert "import netmesh" not in theirs and "from netmesh" not in theirs
+    # The lines that the docstring shows are these.
+    for line in ("from scipy.interpolate import (", "from scipy.spatial import ConvexHull"):
+        assert f"\n    {line}" in text and f"\n{line}" in theirs
+    given = {"__name__": "scipy_script"}
+    exec(compile(theirs, "scipy_script", "exec"), given)
+    found, expected = example("scipy_script", "scipy").main(), given["main"]()
+    assert found["errors"]["cubic"] < 0.2 * found["errors"]["linear"]
+    assert set(found) == set(expected) and (found["along"] == -1).sum() == (expected["along"] == -1).sum() > 0
+    for name, value in found.items():
+        if name == "errors":
+            assert value == pytest.approx(expected[name], rel=1e-10)
+        else:
+            assert value == pytest.approx(expected[name], rel=1e-10, abs=1e-10), name
+
+
+def test_a_field_on_a_mesh_with_a_ring():
+    found = example("spatial_mesh", "skfem").main()
+    assert found["meshed"] < 0.8 * found["places"] and found["smallest angle"] >= 25
+    assert found["vertices of the ring alone"] < 0.3 * found["vertices"]
+    # Noise has a deviation of 0.1.
+    assert found["root of the mean squared error"] < 0.1

@@ -1,10 +1,12 @@
 //! The points nearest to others: a k-d tree, and the search in it; points that are as good as one.
 
 mod merging;
+mod representatives;
 mod search;
 mod tree;
 
 pub use merging::merge_points;
+pub use representatives::representatives;
 pub use search::Stop;
 pub(crate) use search::{nearest, nearest_until};
 pub(crate) use tree::{Tree, sort_by_leaf};

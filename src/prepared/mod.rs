@@ -15,7 +15,7 @@ use crate::memory::{filled, with_capacity};
 use crate::mesh::{Attribute, Intersection, Mesh, OddEdge, Triangulation};
 use crate::netmesh;
 use crate::options::{self, Algorithm, Options};
-use crate::query::{self, Among, Index, Values, Work};
+use crate::query::{self, Among, Index, SimplexBoxes, Values, Work};
 use crate::topology::{self, Faces, Filtration};
 use kept::Kept;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -26,6 +26,7 @@ use std::sync::{Mutex, OnceLock, PoisonError};
 #[derive(Default)]
 pub struct Prepared {
     index: Once<Index>,
+    boxes: Once<SimplexBoxes>,
     in_hull: Once<Vec<Placement>>,
     in_box: Once<Vec<Placement>>,
     attributes: Once<Vec<Attribute>>,
@@ -80,6 +81,15 @@ impl Prepared {
     pub fn index(&self, mesh: &Mesh) -> Result<&Index> {
         let result = mesh.result()?;
         self.index.get_or_make(|| Index::new(result))
+    }
+
+    /// Returns the tree of the simplices, for points that only nearly are in one.
+    ///
+    /// # Errors
+    /// `State` before a run, `OutOfMemory`.
+    pub fn boxes(&self, mesh: &Mesh) -> Result<&SimplexBoxes> {
+        let result = mesh.result()?;
+        self.boxes.get_or_make(|| SimplexBoxes::new(result))
     }
 
     /// Writes for each of the points (`count x dim`) the number of the nearest input and its

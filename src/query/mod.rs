@@ -19,26 +19,37 @@
 //! ```
 
 mod barycentric;
+mod boxes;
+mod cubic;
 pub(crate) mod dual;
 mod extend;
+mod gradients;
 mod index;
 mod interpolate;
 mod locate;
 mod marked_ids;
 mod natural;
+mod point_index;
 mod questions;
 #[cfg(test)]
 mod tests;
 mod tetrahedron;
 pub(crate) mod threads;
+mod triangles;
 pub(crate) mod unit;
 pub(crate) mod view;
+mod weigh;
 
 pub use crate::nearest::Stop;
+pub use boxes::SimplexBoxes;
+pub use cubic::Cubics;
 pub(crate) use extend::check_extension;
 pub use extend::extend_values;
+pub use gradients::{Convergence, estimate_gradients};
 pub(crate) use index::check_arrays;
 pub use index::{Among, Index};
 pub use interpolate::{Interpolation, Method, Outside, Values};
 pub use locate::Place;
+pub use point_index::PointIndex;
 pub use threads::Work;
+pub use triangles::Triangles;

@@ -137,7 +137,13 @@ impl Index {
     }
 
     /// Checks the mesh and the points, for which there are `count` results in the array `name`.
-    fn check(&self, mesh: &Triangulation, points: &[f64], count: usize, name: &str) -> Result<()> {
+    pub(super) fn check(
+        &self,
+        mesh: &Triangulation,
+        points: &[f64],
+        count: usize,
+        name: &str,
+    ) -> Result<()> {
         let is_same = mesh.dim == self.dim
             && mesh.simplices.len() == self.simplices * (self.dim + 1)
             && mesh.neighbors.len() == mesh.simplices.len()
@@ -188,7 +194,7 @@ fn locate_in<const D: usize>(
     })
 }
 
-fn nearest_in<const D: usize>(
+pub(super) fn nearest_in<const D: usize>(
     tree: &Tree,
     points: &[f64],
     work: Work<'_>,

@@ -7,18 +7,18 @@ use crate::{Algorithm, ErrorKind, Mesh, NONE, Options, Triangulation, VertexKind
 use dashu_int::IBig;
 
 /// Makes a mesh with these options; `None` for inputs that have no such mesh.
-fn meshed<const D: usize>(points: &[[f64; D]], options: &Options) -> Option<Mesh> {
+pub(super) fn meshed<const D: usize>(points: &[[f64; D]], options: &Options) -> Option<Mesh> {
     let mut mesh = Mesh::new(D, points.len(), points.as_flattened(), 0).ok()?;
     mesh.run(options, None).ok()?;
     Some(mesh)
 }
 
-fn delaunay() -> Options {
+pub(super) fn delaunay() -> Options {
     Options { algorithm: Algorithm::Delaunay, ..Options::default() }
 }
 
 /// Meshes of every family of points, with cages and plain.
-fn each_mesh<const D: usize>(count: usize, act: impl Fn(&Mesh, &[[f64; D]])) {
+pub(super) fn each_mesh<const D: usize>(count: usize, act: impl Fn(&Mesh, &[[f64; D]])) {
     let mut made = 0;
     // Meshes with Steiner points are too large in 5D.
     let max_vertices = if D < 5 { 600 } else { 100 };
@@ -39,7 +39,7 @@ fn each_mesh<const D: usize>(count: usize, act: impl Fn(&Mesh, &[[f64; D]])) {
 
 /// Returns points that are hard for a mesh: its vertices, middles of faces of every dimension,
 /// points next to those, points beyond the hull.
-fn hard_points<const D: usize>(mesh: &Triangulation, count: usize) -> Vec<[f64; D]> {
+pub(super) fn hard_points<const D: usize>(mesh: &Triangulation, count: usize) -> Vec<[f64; D]> {
     let mut random = Random(7);
     let mut pick = |bound: usize| random.integer(0, bound as i64 - 1) as usize;
     let mut found = Vec::new();

@@ -6,7 +6,7 @@ use super::memory::{copy_out, read_rows, utf8};
 use crate::error::{Error, message};
 use std::ffi::c_char;
 
-/// Gives the inputs values under a name. Exports to VTU, TetGen, Gmsh, PLY, CSV and NumPy have
+/// Gives the inputs values under a name. Exports to VTU, TetGen, Gmsh, PLY, CSV, NumPy and HTML have
 /// them, at all vertices: other vertices than inputs get values as by nm_mesh_extend_values, at the
 /// first export after this call or after nm_run. Values of the same name are replaced.
 ///

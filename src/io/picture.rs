@@ -155,9 +155,15 @@ impl<'a> Facts<'a> {
         let [inputs, steiner, cage] =
             [VertexKind::Input, VertexKind::Steiner, VertexKind::Cage].map(of_kind).map(grouped);
         let vertices = grouped(mesh.vertex_count());
-        visit(format_args!(
-            "{vertices} vertices: {inputs} inputs, {steiner} Steiner, {cage} of cages"
-        ))?;
+        let of_cages = mesh.kinds.contains(&VertexKind::Cage);
+        match of_cages {
+            true => visit(format_args!(
+                "{vertices} vertices: {inputs} inputs, {steiner} Steiner, {cage} of cages"
+            ))?,
+            false => {
+                visit(format_args!("{vertices} vertices: {inputs} inputs, {steiner} Steiner"))?;
+            }
+        }
         let (cells, angle) = match mesh.dim {
             2 => ("triangles", "angle"),
             _ => ("tetrahedra", "dihedral angle"),

@@ -124,6 +124,31 @@ fn assert_share(colours: &HashMap<String, f64>, colour: &str, least: f64, most: 
     assert!((least..=most).contains(&share), "{colour}: {share}, {least} to {most} expected");
 }
 
+/// Asserts that a picture has some colours of the scale in the legend, and white alone besides.
+#[track_caller]
+fn assert_on_scale(colours: &HashMap<String, f64>) {
+    const SCALE: [[f64; 3]; 5] =
+        [[68., 1., 84.], [59., 82., 139.], [33., 145., 140.], [94., 201., 98.], [253., 231., 37.]];
+    let place = |step: usize| {
+        let (from, part) = (step / 100, (step % 100) as f64 / 100.0);
+        [0, 1, 2].map(|at| SCALE[from][at] + part * (SCALE[from + 1][at] - SCALE[from][at]))
+    };
+    let channels = |colour: &str| {
+        [1, 3, 5].map(|at| f64::from(u8::from_str_radix(&colour[at..at + 2], 16).expect("hex")))
+    };
+    let is_near = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 2.0);
+    let is_on = |colour: &str| (0..400).any(|step| is_near(place(step), channels(colour)));
+    // At the boundary there are mixtures.
+    let share = |wanted: bool| {
+        let other = colours.iter().filter(|(colour, _)| **colour != *WHITE);
+        other.filter(|(colour, _)| is_on(colour) == wanted).map(|(_, share)| share).sum::<f64>()
+    };
+    let (on, off) = (share(true), share(false));
+    let seen = colours.iter().filter(|(_, share)| **share > 1e-3).count();
+    assert!(on > 0.1 && off < 0.05 * on, "{on} on the scale, {off} beside it");
+    assert!(seen > 5 && colours[WHITE] < 0.9, "{seen} colours");
+}
+
 #[test]
 fn a_browser_shows_regions_of_the_plane_and_cuts_them() {
     let Some(browser) = browser() else { return };
@@ -141,11 +166,29 @@ fn a_browser_shows_regions_of_the_plane_and_cuts_them() {
     let right = colours(browser, &bench, &format!("{page}&cut=0.5&axis=x&keep=above"));
     assert_share(&right, REGIONS[0], 0.0, 0.0);
     assert_share(&right, REGIONS[1], 0.2, 0.25);
-    // Edges are drawn, and qualities have other colours than regions.
-    let edges = colours(browser, &bench, "plane.html#by=angle");
-    REGIONS.iter().for_each(|colour| assert_share(&edges, colour, 0.0, 0.001));
-    assert!(edges.len() > 100, "{}", edges.len());
-    assert_share(&edges, WHITE, 0.5, 0.6);
+    // Edges, segments and inputs are drawn over the regions.
+    let drawn = colours(browser, &bench, "plane.html#by=regions");
+    assert_share(&drawn, "#000000", 0.002, 0.02);
+    assert_share(&drawn, "#a3262b", 0.0002, 0.002);
+    assert!(drawn.len() > 3 * whole.len(), "{}", drawn.len());
+}
+
+#[test]
+fn a_browser_shows_qualities_and_attributes_in_the_colours_of_the_legend() {
+    let Some(browser) = browser() else { return };
+    let bench = bench_with("browser_scale");
+    for dim in [2, 3] {
+        let term = |i: usize| (i as f64 * 0.754_877_666 + (i * i) as f64 * 0.569_840_291).fract();
+        let row = |i: usize| (0..dim).map(move |axis| term(dim * i + axis).to_string());
+        let rows = (0..40).map(|i| row(i).chain([i.to_string()]).collect::<Vec<_>>().join(" "));
+        bench.write("points.xyz", &rows.collect::<Vec<_>>().join("\n"));
+        let attributes = format!("--attributes heat={}", dim + 1);
+        bench.run(&format!("points.xyz {attributes} -q -o a.html")).assert_success();
+        for by in ["angle", "heat"] {
+            let page = format!("a.html#by={by}&edges=0&dots=0&light=0");
+            assert_on_scale(&colours(browser, &bench, &page));
+        }
+    }
 }
 
 #[test]
@@ -156,15 +199,12 @@ fn a_browser_shows_a_part_in_space_and_its_inside() {
     let page = "cube.html#by=regions&edges=0&lines=0&light=0&turn=90,0";
     let whole = colours(browser, &bench, page);
     let share = whole.get(REGIONS[0]).copied().unwrap_or(0.0);
-    assert!((0.2..0.7).contains(&share), "{share}");
+    assert!((0.5..0.95).contains(&share), "{share}");
     // As seen along y, half of the cube is left of the plane, or below the other.
     for axis in ["x", "z"] {
         let cut = colours(browser, &bench, &format!("{page}&cut=0.5&axis={axis}"));
         assert_share(&cut, REGIONS[0], 0.4 * share, 0.65 * share);
     }
-    let angles = colours(browser, &bench, "cube.html#by=angle&edges=0&light=0");
-    assert!(angles.len() > 20, "{}", angles.len());
-    assert_share(&angles, WHITE, 0.3, 0.8);
     // What is told beside the picture.
     let cells = mesh_of(&bench.read("cube.html"))["all"].as_u64().expect("a number");
     let page = open(browser, &bench, "cube.html#cut=0", "--dump-dom");

@@ -5,15 +5,18 @@ const FACES = {
     precision highp float;
     in vec3 position;
     in vec4 colour;
+    in float spot;
     uniform mat4 modelViewMatrix;
     uniform mat4 projectionMatrix;
     out vec3 place;
     out vec3 corner;
-    out vec3 paint;
+    out vec4 paint;
+    out float level;
     void main() {
       int at = gl_VertexID % 3;
       corner = vec3(at == 0, at == 1, at == 2);
-      paint = colour.rgb;
+      paint = colour;
+      level = spot;
       vec4 seen = modelViewMatrix * vec4(position, 1.0);
       place = seen.xyz;
       gl_Position = projectionMatrix * seen;
@@ -23,18 +26,24 @@ const FACES = {
     precision highp float;
     in vec3 place;
     in vec3 corner;
-    in vec3 paint;
+    in vec4 paint;
+    in float level;
+    uniform vec3 scale[5];
     uniform float light;
     uniform float edges;
     out vec4 pixel;
     void main() {
       vec3 normal = normalize(cross(dFdx(place), dFdy(place)));
       float shade = mix(1.0, 0.45 + 0.55 * abs(normal.z), light);
+      float step = clamp(level, 0.0, 1.0) * 4.0;
+      int from = min(int(step), 3);
+      vec3 between = mix(scale[from], scale[from + 1], step - float(from));
+      vec3 own = paint.a > 0.5 ? paint.rgb : between;
       vec3 width = fwidth(corner);
       vec3 near = smoothstep(vec3(0.15), vec3(0.85), corner / max(width, vec3(1e-9)));
       float line = 1.0 - min(near.x, min(near.y, near.z));
       float room = 1.0 - smoothstep(0.08, 0.3, max(width.x, max(width.y, width.z)));
-      pixel = vec4(mix(paint * shade, vec3(0.1, 0.12, 0.15), 0.7 * edges * line * room), 1.0);
+      pixel = vec4(mix(own * shade, vec3(0.1, 0.12, 0.15), 0.7 * edges * line * room), 1.0);
     }`,
 };
 
@@ -102,7 +111,8 @@ class Picture {
     this.controls.addEventListener("change", () => this.draw());
     const screen = { value: { x: 1, y: 1, isVector2: true } };
     this.screen = screen.value;
-    this.faces = this.add(material(FACES, { light: { value: isPlane ? 0 : 1 }, edges: { value: 1 } }));
+    const scale = { value: SCALE.map((colour) => new THREE.Vector3(...colour.map((x) => x / 255))) };
+    this.faces = this.add(material(FACES, { light: { value: isPlane ? 0 : 1 }, edges: { value: 1 }, scale }));
     const mark = (paint, width) => this.add(material(MARKS, { paint: { value: paint }, width: { value: width }, screen }));
     this.lines = mark(new THREE.Vector3(0, 0, 0), 1.6);
     this.dots = mark(new THREE.Vector3(0.64, 0.15, 0.17), isPlane ? 6 : 5);
@@ -128,23 +138,33 @@ class Picture {
     const { points } = this.mesh;
     const places = new Float32Array(9 * faces.count);
     const colours = new Uint8Array(12 * faces.count);
-    const isOfVertices = colouring.of === "vertices";
-    let [red, green, blue] = [0, 0, 0];
-    for (let corner = 0; corner < 3 * faces.count; corner++) {
-      const vertex = faces.vertices[corner];
-      for (let axis = 0; axis < 3; axis++) places[3 * corner + axis] = points[3 * vertex + axis];
-      if (isOfVertices) {
-        [red, green, blue] = colourOf(colouring, vertex);
-      } else if (corner % 3 === 0) {
-        [red, green, blue] = colourOf(colouring, faces.cells[corner / 3]);
+    // The picture goes through the scale between vertices; a cell with a vertex without a value is grey.
+    const spots = new Float32Array(colouring.of === "vertices" ? 3 * faces.count : 0);
+    for (let face = 0; face < faces.count; face++) {
+      const vertices = faces.vertices.subarray(3 * face, 3 * face + 3);
+      let colour = MISSING;
+      let isSmooth = false;
+      if (spots.length === 0) {
+        colour = colourOf(colouring, faces.cells[face]);
+      } else {
+        vertices.forEach((vertex, at) => (spots[3 * face + at] = colouring.place(colouring.values[vertex])));
+        const own = spots.subarray(3 * face, 3 * face + 3);
+        isSmooth = !own.some(Number.isNaN);
+        own.forEach((spot, at) => (own[at] = Math.min(Math.max(spot, -9), 9) || 0));
       }
-      colours[4 * corner] = red + 0.5;
-      colours[4 * corner + 1] = green + 0.5;
-      colours[4 * corner + 2] = blue + 0.5;
+      for (let at = 0; at < 3; at++) {
+        const corner = 3 * face + at;
+        for (let axis = 0; axis < 3; axis++) {
+          places[3 * corner + axis] = points[3 * vertices[at] + axis];
+          colours[4 * corner + axis] = colour[axis] + 0.5;
+        }
+        colours[4 * corner + 3] = isSmooth ? 0 : 255;
+      }
     }
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.BufferAttribute(places, 3));
     geometry.setAttribute("colour", new THREE.BufferAttribute(colours, 4, true));
+    if (spots.length > 0) geometry.setAttribute("spot", new THREE.BufferAttribute(spots, 1));
     this.replace(this.faces, geometry);
   }
 
@@ -171,15 +191,12 @@ class Picture {
   /** Looks at a box from the given direction, in degrees round z and above the plane, so that all of it is seen. */
   look(box, [round, above], zoom) {
     const center = box.map(([least, most]) => (least + most) / 2);
-    const radius = Math.hypot(...box.map(([least, most]) => (most - least) / 2)) || 1;
     this.box = box;
     this.controls.target.set(...center);
     const isPlane = this.mesh.dim === 2;
     const [turn, tilt] = [round, above].map((degrees) => (degrees * Math.PI) / 180);
     const way = isPlane ? [0, 0, 1] : [Math.cos(tilt) * Math.cos(turn), Math.cos(tilt) * Math.sin(turn), Math.sin(tilt)];
-    const { clientWidth, clientHeight } = this.canvas.parentElement;
-    const room = Math.min(1, clientWidth / Math.max(clientHeight, 1)) || 1;
-    const distance = isPlane ? 3 : (2.9 * radius) / room / zoom;
+    const distance = isPlane ? 3 : distanceOf(box, way, this.camera.fov, this.canvas.parentElement) / zoom;
     this.camera.position.set(...center.map((x, axis) => x + distance * way[axis]));
     this.camera.zoom = isPlane ? zoom : 1;
     this.resize();
@@ -236,6 +253,25 @@ class Picture {
     }
     return found;
   }
+}
+
+/** Returns the least distance from the centre of a box at which all of it is seen, by one that looks against `way`. */
+function distanceOf(box, way, fieldOfView, { clientWidth, clientHeight }) {
+  const tangent = Math.tan((fieldOfView * Math.PI) / 360) * 0.94;
+  const aspect = clientWidth / Math.max(clientHeight, 1) || 1;
+  const forth = new THREE.Vector3(...way);
+  const right = new THREE.Vector3(0, 0, 1).cross(forth);
+  // Seen along z there is no right; any will do.
+  if (right.length() < 1e-6) right.set(1, 0, 0);
+  right.normalize();
+  const up = new THREE.Vector3().crossVectors(forth, right);
+  let least = 1e-6;
+  for (let index = 0; index < 8; index++) {
+    const corner = new THREE.Vector3(...box.map(([from, to], axis) => ((index >> axis) & 1 ? 0.5 : -0.5) * (to - from)));
+    const room = Math.max(Math.abs(corner.dot(right)) / aspect, Math.abs(corner.dot(up)));
+    least = Math.max(least, corner.dot(forth) + room / tangent);
+  }
+  return least;
 }
 
 function isInside(u, v) {

@@ -1,5 +1,5 @@
-//! What files that are looked at share: colours, coordinates in the box of the mesh, which cells
-//! are drawn where there are too many, and sentences that tell what is shown.
+//! Parts that SVG and HTML share: colours, coordinates in the box of the mesh, which cells are
+//! drawn where there are too many, and sentences that tell what is shown.
 
 use crate::memory::{AllocError, AllocResult, copied, filled, with_capacity};
 use crate::mesh::{NONE, Triangulation, VertexKind};
@@ -372,6 +372,14 @@ mod tests {
         let mut text = String::new();
         facts.visit(|line| Ok(text += &format!("{line}\n"))).unwrap();
         let expected = "4 vertices: 2 inputs, 1 Steiner, 1 of cages\n2 triangles in 2 regions\n";
+        assert!(text.starts_with(expected), "{text}");
+        let mut plain = crate::Mesh::new(2, 3, &[0., 0., 1., 0., 0., 1.], 0).unwrap();
+        plain.run(&samples::delaunay(), None).unwrap();
+        let mut text = String::new();
+        let facts = Facts::new(plain.triangulation().unwrap()).unwrap();
+        facts.visit(|line| Ok(text += &format!("{line}\n"))).unwrap();
+        let expected = "3 vertices: 3 inputs, 0 Steiner\n1 triangles\n\
+                        Delaunay triangulation of the inputs, without a bound\n";
         assert!(text.starts_with(expected), "{text}");
     }
 }

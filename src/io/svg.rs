@@ -113,7 +113,7 @@ impl Picture<'_> {
         triangles: impl Iterator<Item = usize>,
         out: &mut dyn Write,
     ) -> io::Result<()> {
-        let style = format_args!("fill=\"{colour}\" stroke=\"#333333\" stroke-width=\".35\"");
+        let style = format_args!("fill=\"{colour}\" stroke=\"#333333\" stroke-width=\".5\"");
         write_paths(style, triangles, out, |triangle, out| {
             let [a, b, c] = [0, 1, 2].map(|at| self.place(self.mesh.simplex(triangle)[at]));
             out.write_all(b"M")?;
@@ -147,7 +147,7 @@ impl Picture<'_> {
         if inputs().count() > DOTS {
             return Ok(());
         }
-        let style = format_args!("stroke=\"#a4262c\" stroke-width=\"4\"");
+        let style = format_args!("stroke=\"#a4262c\" stroke-width=\"5\"");
         write_paths(style, inputs(), out, |vertex, out| {
             out.write_all(b"M")?;
             write_pair(self.place(vertex as u32), out)?;
@@ -244,16 +244,16 @@ Smallest angle 45 degrees.
 The middle is (0.5, 0.5); from it to a side it is 0.5.</desc>
 <g fill=\"none\" stroke-linejoin=\"round\" stroke-linecap=\"round\">
 <g><title>region -8</title>
-<path fill=\"#7fb3d5\" stroke=\"#333333\" stroke-width=\".35\" vector-effect=\"non-scaling-stroke\" \
-d=\"M10 1010l1000-1000-1000 0z\"/>
+<path fill=\"#7fb3d5\" stroke=\"#333333\" stroke-width=\".5\" \
+vector-effect=\"non-scaling-stroke\" d=\"M10 1010l1000-1000-1000 0z\"/>
 </g>
 <g><title>region 7</title>
-<path fill=\"#f5b971\" stroke=\"#333333\" stroke-width=\".35\" vector-effect=\"non-scaling-stroke\" \
-d=\"M10 1010l1000 0 0-1000z\"/>
+<path fill=\"#f5b971\" stroke=\"#333333\" stroke-width=\".5\" \
+vector-effect=\"non-scaling-stroke\" d=\"M10 1010l1000 0 0-1000z\"/>
 </g>
 <path stroke=\"#000000\" stroke-width=\"1.6\" vector-effect=\"non-scaling-stroke\" \
 d=\"M10 1010L1010 10M1010 1010L10 1010\"/>
-<path stroke=\"#a4262c\" stroke-width=\"4\" vector-effect=\"non-scaling-stroke\" \
+<path stroke=\"#a4262c\" stroke-width=\"5\" vector-effect=\"non-scaling-stroke\" \
 d=\"M10 1010h0M1010 1010h0\"/>
 </g>
 </svg>

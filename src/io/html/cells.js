@@ -5,6 +5,8 @@
 
 // Corners of the side opposite each vertex of a tetrahedron, counterclockwise as seen from outside.
 const SIDES = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
+// Exchanges that sort three numbers.
+const SWAPS = [[0, 1], [1, 2], [0, 1]];
 
 /** Returns the numbers of an array that is base64. */
 function decoded(text, Numbers) {
@@ -39,32 +41,46 @@ function verticesOf(mesh, cell) {
  *  they have a side in common, which a table of sides finds. */
 function neighborsOf(tetrahedra) {
   const count = tetrahedra.length;
-  let size = 16;
-  while (size < 2 * count) size *= 2;
-  const table = new Int32Array(size).fill(-1);
-  const sides = new Uint32Array(3 * count);
+  let bits = 4;
+  while (2 ** bits < 2 * count) bits++;
+  const mask = 2 ** bits - 1;
+  const table = new Int32Array(mask + 1).fill(-1);
+  const sides = sortedSides(tetrahedra);
   const neighbors = new Int32Array(count).fill(-1);
   for (let side = 0; side < count; side++) {
-    const first = side - (side & 3);
-    let [a, b, c] = SIDES[side & 3].map((at) => tetrahedra[first + at]);
-    if (a > b) [a, b] = [b, a];
-    if (b > c) [b, c] = [c, b];
-    if (a > b) [a, b] = [b, a];
-    sides[3 * side] = a;
-    sides[3 * side + 1] = b;
-    sides[3 * side + 2] = c;
-    let at = (Math.imul(a, 0x9e3779b1) ^ Math.imul(b, 0x85ebca6b) ^ Math.imul(c, 0xc2b2ae35)) & (size - 1);
-    for (; table[at] >= 0; at = (at + 1) & (size - 1)) {
+    const [a, b, c] = [sides[3 * side], sides[3 * side + 1], sides[3 * side + 2]];
+    // Of a product the upper digits are those that depend on all of the factor.
+    const mixed = Math.imul(Math.imul(Math.imul(a, 0x9e3779b1) + b, 0x85ebca6b) + c, 0xc2b2ae35);
+    let at = mixed >>> (32 - bits);
+    while (table[at] >= 0) {
       const other = table[at];
       if (sides[3 * other] === a && sides[3 * other + 1] === b && sides[3 * other + 2] === c) {
         neighbors[side] = other >> 2;
         neighbors[other] = side >> 2;
         break;
       }
+      at = (at + 1) & mask;
     }
     if (table[at] < 0) table[at] = side;
   }
   return neighbors;
+}
+
+/** Returns the vertices of all sides, those of each ascending. */
+function sortedSides(tetrahedra) {
+  const sides = new Uint32Array(3 * tetrahedra.length);
+  for (let side = 0; side < tetrahedra.length; side++) {
+    const first = side - (side & 3);
+    let at = 3 * side;
+    for (let corner = 0; corner < 4; corner++) if (corner !== (side & 3)) sides[at++] = tetrahedra[first + corner];
+    for (const [from, to] of SWAPS) {
+      const [low, high] = [sides[3 * side + from], sides[3 * side + to]];
+      if (low <= high) continue;
+      sides[3 * side + from] = high;
+      sides[3 * side + to] = low;
+    }
+  }
+  return sides;
 }
 
 /** Returns true if a vertex of the cell is an input. */

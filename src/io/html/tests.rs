@@ -173,9 +173,8 @@ fn cells_that_are_left_out_are_told_and_leave_their_outside() {
     let page = thinned(&mesh, limit);
     let json = json_of(&page);
     let told = |kept, all, of| {
-        format!(
-            "<li class=\"thinned\">{kept} of {all} {of} are in this file, evenly in their order</li>"
-        )
+        let how = "are in this file, evenly in their order";
+        format!("<li class=\"thinned\">{kept} of {all} {of} {how}</li>")
     };
     assert!(page.contains(&told(limit, all, "tetrahedra")));
     let kept: Vec<usize> = Kept::new(all, limit).iter().collect();

@@ -207,7 +207,8 @@ fn cells_that_are_left_out_are_told_and_leave_their_outside() {
     let square = thinned(&samples::square_with_segments(), 1);
     assert!(square.contains(&told(1, 2, "triangles")));
     assert!(
-        square.contains(&told(1, 2, "pieces of segments")) && !square.contains("outer triangles")
+        square.contains(&told(1, 2, "pieces of segments"))
+            && !square.contains("triangles of the others")
     );
     // The segment that is drawn has its vertices.
     assert_eq!(ids(field(json_of(&square), "ends")), [0, 2]);

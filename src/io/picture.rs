@@ -22,8 +22,8 @@ pub(super) const PLAIN: &str = "#cfdcec";
 /// The box of a mesh, in which its coordinates are written: doubles from 5e-324 to 1e308 are too
 /// small or too large for what draws them.
 pub(super) struct Frame {
-    /// Power of two that all coordinates are multiplied by first, so that no sum or difference
-    /// of them overflows, and halves of the least are not zero.
+    /// Power of two that all coordinates are multiplied by first, so that halves of the least are
+    /// not zero. Halves of the largest keep sums and differences from overflowing.
     scale: f64,
     /// Centre of the box, scaled.
     center: [f64; 3],
@@ -36,11 +36,7 @@ pub(super) struct Frame {
 impl Frame {
     pub fn new(mesh: &Triangulation) -> Self {
         let largest = mesh.points.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
-        let scale = match largest {
-            1e300.. => 2f64.powi(-10),
-            ..1e-200 => 2f64.powi(600),
-            _ => 1.0,
-        };
+        let scale = if largest < 1e-200 { 2f64.powi(600) } else { 1.0 };
         let mut bounds = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
         for point in mesh.points.chunks_exact(mesh.dim) {
             for ([least, most], x) in bounds.iter_mut().zip(point) {

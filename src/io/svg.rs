@@ -14,7 +14,7 @@ const SIDE: f64 = 1000.0;
 const MARGIN: f64 = 10.0;
 
 /// Number of triangles, or of pieces of segments, that are drawn; of more some are left out.
-const LIMIT: usize = 200_000;
+const LIMIT: usize = 100_000;
 
 /// Number of inputs up to which they are dots.
 const DOTS: usize = 2_000;

@@ -128,7 +128,8 @@ static void measures(const nm_mesh *mesh) {
 static void exports(const nm_mesh *mesh, const char *directory) {
     static const nm_format formats[] = {
         NM_FORMAT_VTU, NM_FORMAT_TETGEN_NODE, NM_FORMAT_GMSH, NM_FORMAT_MEDIT, NM_FORMAT_OFF, NM_FORMAT_PLY,
-        NM_FORMAT_XYZ, NM_FORMAT_CSV, NM_FORMAT_NPY, NM_FORMAT_VORONOI_JSON, NM_FORMAT_DOMAINS_JSON};
+        NM_FORMAT_XYZ, NM_FORMAT_CSV, NM_FORMAT_NPY, NM_FORMAT_VORONOI_JSON, NM_FORMAT_DOMAINS_JSON,
+        NM_FORMAT_HTML};
     char path[1024];
     size_t i;
     for (i = 0; i < sizeof formats / sizeof *formats; ++i) {

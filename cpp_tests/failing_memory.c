@@ -362,6 +362,7 @@ static int use(const struct job *job, nm_mesh *mesh) {
          export(mesh, job->mesh_format) && export(mesh, NM_FORMAT_OFF) &&
          export(mesh, NM_FORMAT_TETGEN_NODE) && export(mesh, NM_FORMAT_CSV) &&
          export(mesh, NM_FORMAT_VORONOI_JSON) && export(mesh, NM_FORMAT_DOMAINS_JSON) &&
+         (job->dim > 3 || export(mesh, NM_FORMAT_HTML)) && (job->dim > 2 || export(mesh, NM_FORMAT_SVG)) &&
          run(mesh, NM_OUTPUT_WELL_SPACED, NM_ALGORITHM_NETMESH) && measure(mesh) && run_sized(mesh) &&
          run(mesh, NM_OUTPUT_HIERARCHICAL, NM_ALGORITHM_DELAUNAY);
 }

@@ -294,8 +294,8 @@ typedef int32_t nm_extent;
 /**
  * File formats; docs/formats.md tells what each contains. Point formats (XYZ, CSV, NPY) can be
  * written before a run; the others are refused then (NM_STATE in C), and so is a format that
- * cannot hold the mesh's dimension (NM_INVALID_ARGUMENT). VTU and the two JSON formats cannot be
- * read. Of the others the points are read.
+ * cannot hold the mesh's dimension (NM_INVALID_ARGUMENT). VTU, SVG, HTML and the two JSON formats
+ * cannot be read. Of the others the points are read.
  */
 enum nm_format
 #ifdef __cplusplus
@@ -305,7 +305,7 @@ enum nm_format
     /**
      * Format that the extension of the path names: .vtu, .node and .ele, .msh, .mesh, .off, .ply,
      * .xyz (.txt, .xy, .pts), .csv, .npy, .poly, .smesh, .stl, .obj, .geojson, .wkt,
-     * .voronoi.json, .domains.json.
+     * .voronoi.json, .domains.json, .svg, .html.
      */
     NM_FORMAT_AUTO = 0,
     /**
@@ -385,6 +385,16 @@ enum nm_format
      * from 1 by the order of their first names, and 0 before any.
      */
     NM_FORMAT_OBJ = 17,
+    /**
+     * Scalable vector graphics, write only (.svg): a picture of a planar mesh, with its segments,
+     * its regions in colours, and its inputs if they are few. Dimension 2.
+     */
+    NM_FORMAT_SVG = 18,
+    /**
+     * A page for any browser, write only (.html): the mesh can be turned and cut, and is coloured
+     * by quality, region or attribute. It needs no network. Dimensions 2 and 3.
+     */
+    NM_FORMAT_HTML = 19,
 };
 #ifndef __cplusplus
 typedef int32_t nm_format;
@@ -3102,9 +3112,9 @@ nm_status nm_export_alpha_shape(const struct nm_mesh *mesh,
                                 const char *path_utf8);
 
 /**
- * Gives the inputs values under a name. Exports to VTU, TetGen, Gmsh, PLY, CSV and NumPy have
- * them, at all vertices: other vertices than inputs get values as by nm_mesh_extend_values, at the
- * first export after this call or after nm_run. Values of the same name are replaced.
+ * Gives the inputs values under a name. Exports to VTU, TetGen, Gmsh, PLY, CSV, NumPy and HTML
+ * have them, at all vertices: other vertices than inputs get values as by nm_mesh_extend_values,
+ * at the first export after this call or after nm_run. Values of the same name are replaced.
  *
  * name: 1 to 64 ASCII letters, digits, '_', '-' and '.'; not one that files have for something
  * else: x, y, z, x0, x1 and so on, points, kind, domain, input, precision_limited, aspect,

@@ -390,6 +390,8 @@ fn extensions_stand_for_formats() {
         (&["obj"], Format::Obj),
         (&["geojson", "GeoJSON"], Format::Geojson),
         (&["wkt"], Format::Wkt),
+        (&["svg", "SVG"], Format::Svg),
+        (&["html", "HTML"], Format::Html),
     ] {
         for extension in extensions {
             let path = PathBuf::from(format!("a.b.{extension}"));
@@ -400,15 +402,17 @@ fn extensions_stand_for_formats() {
         let error = Format::from_path(Path::new(path)).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::InvalidArgument, "{path}");
         let known = ".vtu, .node, .ele, .msh, .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, \
-                     .npy, .poly, .smesh, .stl, .obj, .geojson, .wkt, .voronoi.json or \
-                     .domains.json";
+                     .npy, .poly, .smesh, .stl, .obj, .geojson, .wkt, .voronoi.json, \
+                     .domains.json, .svg or .html";
         assert!(error.message().ends_with(known), "{error}");
     }
 }
 
 #[test]
 fn formats_that_cannot_be_read_say_so() {
-    for format in [Format::Vtu, Format::VoronoiJson, Format::DomainsJson] {
+    let written =
+        [Format::Vtu, Format::VoronoiJson, Format::DomainsJson, Format::Svg, Format::Html];
+    for format in written {
         let error = from_bytes(b"{}", format).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::InvalidArgument);
         let expected =

@@ -44,7 +44,7 @@ pub struct Arguments {
     /// File for the mesh; its extension names the format. "-" is standard output, with
     /// --output-format; the summary then goes to standard error. Without it only the summary is
     /// made. Of a mesh in 3D .ply and .stl have the boundary; the numbers of .stl have single
-    /// precision
+    /// precision. A browser shows .svg, of a mesh in 2D, and .html, in 2D and 3D
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 
@@ -63,8 +63,8 @@ pub struct Arguments {
 
     /// Columns of the input that the output gets as attributes of the points: names (of a CSV
     /// header or of PLY's properties), numbers from 1, ranges, NAME=COLUMN for another name, or
-    /// all. From TetGen, PLY, XYZ, CSV and NumPy files to VTU, TetGen, Gmsh, PLY, CSV and NumPy
-    /// files
+    /// all. From TetGen, PLY, XYZ, CSV and NumPy files to VTU, TetGen, Gmsh, PLY, CSV, NumPy
+    /// and HTML files
     #[arg(long, value_name = "LIST", value_parser = parse_attributes, requires = "output")]
     pub attributes: Option<AttributeColumns>,
 

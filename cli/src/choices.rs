@@ -59,6 +59,10 @@ pub enum FormatName {
     Geojson,
     /// Points, lines and polygons of well-known text, read only (.wkt)
     Wkt,
+    /// A picture of a planar mesh, write only (.svg)
+    Svg,
+    /// A page that turns, cuts and colours the mesh in any browser, write only (.html)
+    Html,
 }
 
 /// Format that points can be read from.
@@ -97,7 +101,7 @@ pub struct WritableFormat(pub FormatName);
 
 impl ValueEnum for WritableFormat {
     fn value_variants<'a>() -> &'a [Self] {
-        const WRITABLE: [WritableFormat; 12] = [
+        const WRITABLE: [WritableFormat; 14] = [
             WritableFormat(FormatName::Vtu),
             WritableFormat(FormatName::Tetgen),
             WritableFormat(FormatName::Gmsh),
@@ -110,6 +114,8 @@ impl ValueEnum for WritableFormat {
             WritableFormat(FormatName::Npy),
             WritableFormat(FormatName::VoronoiJson),
             WritableFormat(FormatName::DomainsJson),
+            WritableFormat(FormatName::Svg),
+            WritableFormat(FormatName::Html),
         ];
         &WRITABLE
     }
@@ -139,6 +145,8 @@ impl FormatName {
             Self::Obj => Format::Obj,
             Self::Geojson => Format::Geojson,
             Self::Wkt => Format::Wkt,
+            Self::Svg => Format::Svg,
+            Self::Html => Format::Html,
         }
     }
 }

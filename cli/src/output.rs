@@ -61,7 +61,8 @@ pub fn require_attributes(path: &Path, format: Format) -> Result<(), Failure> {
         return Ok(());
     }
     let message = format!(
-        "{}: {} holds no attributes; with --attributes write VTU, TetGen, Gmsh, PLY, CSV or NumPy",
+        "{}: {} holds no attributes; with --attributes write VTU, TetGen, Gmsh, PLY, \
+         CSV, NumPy or HTML",
         standard::output_name(path),
         format.name()
     );

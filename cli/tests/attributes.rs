@@ -159,7 +159,8 @@ fn an_output_that_holds_no_attributes_is_refused_before_the_input_is_read() {
         ("a.voronoi.json", "the Voronoi diagram"),
         ("a.domains.json", "the hierarchy of domains"),
     ] {
-        let words = [file, format, "holds no attributes", "VTU, TetGen, Gmsh, PLY, CSV or NumPy"];
+        let words =
+            [file, format, "holds no attributes", "VTU, TetGen, Gmsh, PLY, CSV, NumPy or HTML"];
         bench.run(&format!("nowhere.xyz --attributes 3 -o {file}")).assert_failure(2, &words);
     }
     let line = "nowhere.xyz --attributes 3 -o - --output-format off";

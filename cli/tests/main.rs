@@ -13,6 +13,7 @@ mod refusals;
 mod sample;
 mod sizes;
 mod terminal;
+mod viewer;
 mod workbench;
 
 /// A file that nobody names is not compiled, and its tests pass unrun.

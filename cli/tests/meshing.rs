@@ -65,6 +65,7 @@ fn every_format_is_written_by_extension_and_by_name() {
         ("npy", "npy"),
         ("voronoi.json", "voronoi-json"),
         ("domains.json", "domains-json"),
+        ("html", "html"),
         ("node", "tetgen"),
     ];
     for (extension, name) in formats {

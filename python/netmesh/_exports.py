@@ -39,10 +39,10 @@ class Exports(Arrays):
         path : str or path
         format : str
             'auto' goes by the extension; or 'vtu', 'tetgen_node', 'gmsh', 'medit', 'off', 'ply',
-            'stl', 'xyz', 'csv', 'npy', 'voronoi_json', 'domains_json'.
+            'stl', 'xyz', 'csv', 'npy', 'voronoi_json', 'domains_json', 'svg', 'html'.
         attributes : dict of str to array_like of float, shape (vertices, ...), optional
-            Values at the vertices by name, for 'vtu', 'tetgen_node', 'gmsh', 'ply', 'csv' and 'npy',
-            where they make a structured array; `extend_values` makes them of values at the inputs.
+            Values at the vertices by name, for 'vtu', 'tetgen_node', 'gmsh', 'ply', 'html', 'csv' and
+            'npy', where they make a structured array; `extend_values` makes them of values at the inputs.
             Names have 1 to 64 ASCII letters, digits, and ``_-.``. Of a part they are at its vertices
             or at all vertices of the mesh.
 

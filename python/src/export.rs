@@ -32,6 +32,8 @@ impl Core {
             ("npy", Format::Npy),
             ("voronoi_json", Format::VoronoiJson),
             ("domains_json", Format::DomainsJson),
+            ("svg", Format::Svg),
+            ("html", Format::Html),
         ];
         let format = choice("format", format, &formats)?;
         if !attributes.is_empty() {
@@ -49,7 +51,7 @@ fn require_attributes(py: Python<'_>, path: &Path, format: Format) -> PyResult<(
         return Ok(());
     }
     let message = format!(
-        "{}: {} holds no attributes; VTU, TetGen, Gmsh, PLY, CSV and NumPy files do",
+        "{}: {} holds no attributes; VTU, TetGen, Gmsh, PLY, CSV, NumPy and HTML files do",
         path.display(),
         format.name()
     );

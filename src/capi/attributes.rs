@@ -6,9 +6,9 @@ use super::memory::{copy_out, read_rows, utf8};
 use crate::error::{Error, message};
 use std::ffi::c_char;
 
-/// Gives the inputs values under a name. Exports to VTU, TetGen, Gmsh, PLY, CSV and NumPy have
-/// them, at all vertices: other vertices than inputs get values as by nm_mesh_extend_values, at the
-/// first export after this call or after nm_run. Values of the same name are replaced.
+/// Gives the inputs values under a name. Exports to VTU, TetGen, Gmsh, PLY, CSV, NumPy and HTML
+/// have them, at all vertices: other vertices than inputs get values as by nm_mesh_extend_values,
+/// at the first export after this call or after nm_run. Values of the same name are replaced.
 ///
 /// name: 1 to 64 ASCII letters, digits, '_', '-' and '.'; not one that files have for something
 /// else: x, y, z, x0, x1 and so on, points, kind, domain, input, precision_limited, aspect,

@@ -32,6 +32,8 @@ pub(super) fn decode_format(raw: MaybeUninit<Format>) -> Result<Format> {
         Format::Smesh,
         Format::Stl,
         Format::Obj,
+        Format::Svg,
+        Format::Html,
     ];
     decode("format", "nm_format", raw, formats)
 }

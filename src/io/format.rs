@@ -5,14 +5,14 @@ use std::path::Path;
 
 /// File formats; docs/formats.md tells what each contains. Point formats (XYZ, CSV, NPY) can be
 /// written before a run; the others are refused then (NM_STATE in C), and so is a format that
-/// cannot hold the mesh's dimension (NM_INVALID_ARGUMENT). VTU and the two JSON formats cannot be
-/// read. Of the others the points are read.
+/// cannot hold the mesh's dimension (NM_INVALID_ARGUMENT). VTU, SVG, HTML and the two JSON formats
+/// cannot be read. Of the others the points are read.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(i32)]
 pub enum Format {
     /// Format that the extension of the path names: .vtu, .node and .ele, .msh, .mesh, .off, .ply,
     /// .xyz (.txt, .xy, .pts), .csv, .npy, .poly, .smesh, .stl, .obj, .geojson, .wkt,
-    /// .voronoi.json, .domains.json.
+    /// .voronoi.json, .domains.json, .svg, .html.
     #[default]
     Auto = 0,
     /// VTK XML unstructured grid (.vtu), for ParaView and VTK, with arrays per point and per cell.
@@ -58,6 +58,12 @@ pub enum Format {
     /// Wavefront's points, polygons and lines, read only (.obj). Markers are the numbers of groups,
     /// from 1 by the order of their first names, and 0 before any.
     Obj = 17,
+    /// Scalable vector graphics, write only (.svg): a picture of a planar mesh, with its segments,
+    /// its regions in colours, and its inputs if they are few. Dimension 2.
+    Svg = 18,
+    /// A page for any browser, write only (.html): the mesh can be turned and cut, and is coloured
+    /// by quality, region or attribute. It needs no network. Dimensions 2 and 3.
+    Html = 19,
 }
 
 impl Format {
@@ -84,10 +90,12 @@ impl Format {
             Some("obj") => Ok(Self::Obj),
             Some("geojson") => Ok(Self::Geojson),
             Some("wkt") => Ok(Self::Wkt),
+            Some("svg") => Ok(Self::Svg),
+            Some("html") => Ok(Self::Html),
             _ => Err(Error::invalid(message!(
                 "{}: the extension names no known format; name one, or use .vtu, .node, .ele, \
                      .msh, .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, .npy, .poly, .smesh, \
-                     .stl, .obj, .geojson, .wkt, .voronoi.json or .domains.json",
+                     .stl, .obj, .geojson, .wkt, .voronoi.json, .domains.json, .svg or .html",
                 path.display()
             ))),
         }
@@ -114,13 +122,21 @@ impl Format {
             Self::Obj => "OBJ",
             Self::Geojson => "GeoJSON",
             Self::Wkt => "WKT",
+            Self::Svg => "SVG",
+            Self::Html => "HTML",
         }
     }
 
     /// Returns true if files of the format can hold attributes of points.
     pub fn holds_attributes(self) -> bool {
         match self {
-            Self::Vtu | Self::TetgenNode | Self::Gmsh | Self::Ply | Self::Csv | Self::Npy => true,
+            Self::Vtu
+            | Self::TetgenNode
+            | Self::Gmsh
+            | Self::Ply
+            | Self::Csv
+            | Self::Npy
+            | Self::Html => true,
             Self::Auto
             | Self::Medit
             | Self::Off
@@ -132,7 +148,8 @@ impl Format {
             | Self::Stl
             | Self::Obj
             | Self::Geojson
-            | Self::Wkt => false,
+            | Self::Wkt
+            | Self::Svg => false,
         }
     }
 
@@ -149,7 +166,7 @@ impl Format {
             let message = message!(
                 "{}: the extension names no format that can be written; name the format, or use \
                  .vtu, .node, .ele, .msh, .mesh, .off, .ply, .stl, .xyz, .txt, .xy, .pts, .csv, \
-                 .npy, .voronoi.json or .domains.json",
+                 .npy, .voronoi.json, .domains.json, .svg or .html",
                 path.display()
             );
             Error::invalid(message)
@@ -189,11 +206,13 @@ impl Format {
     /// Refuses a format that is written only.
     pub(super) fn check_readable(self) -> Result<()> {
         match self {
-            Self::Vtu | Self::VoronoiJson | Self::DomainsJson => Err(Error::invalid(message!(
-                "{} cannot be read, only written; points are read from TetGen, Gmsh, Medit, \
+            Self::Vtu | Self::VoronoiJson | Self::DomainsJson | Self::Svg | Self::Html => {
+                Err(Error::invalid(message!(
+                    "{} cannot be read, only written; points are read from TetGen, Gmsh, Medit, \
                      OFF, PLY, XYZ, CSV, NumPy, .poly, .smesh, STL, OBJ, GeoJSON and WKT files",
-                self.name()
-            ))),
+                    self.name()
+                )))
+            }
             _ => Ok(()),
         }
     }
@@ -201,7 +220,9 @@ impl Format {
     /// Refuses a dimension that the format has no cells for.
     pub(super) fn check_dimension(self, dim: usize) -> Result<()> {
         match self {
-            Self::Vtu | Self::Gmsh | Self::Medit | Self::Ply if !(2..=3).contains(&dim) => {
+            Self::Vtu | Self::Gmsh | Self::Medit | Self::Ply | Self::Html
+                if !(2..=3).contains(&dim) =>
+            {
                 Err(Error::invalid(message!(
                     "{} holds meshes of dimension 2 and 3, not {dim}; use OFF (nOFF) or TetGen",
                     self.name()
@@ -211,6 +232,12 @@ impl Format {
                 let others = if dim == 2 { "PLY" } else { "OFF (nOFF) or TetGen" };
                 Err(Error::invalid(message!(
                     "STL holds the boundary of meshes of dimension 3, not {dim}; use {others}"
+                )))
+            }
+            Self::Svg if dim != 2 => {
+                let others = if dim == 3 { "HTML" } else { "OFF (nOFF) or TetGen" };
+                Err(Error::invalid(message!(
+                    "SVG holds meshes of the plane, dimension 2, not {dim}; use {others}"
                 )))
             }
             _ => Ok(()),

@@ -19,6 +19,8 @@
 //! | [`Format::Npy`] | `.npy` | points | points |
 //! | [`Format::VoronoiJson`] | `.voronoi.json` | | Voronoi diagram |
 //! | [`Format::DomainsJson`] | `.domains.json` | | domains and cages |
+//! | [`Format::Svg`] | `.svg` | | picture, d = 2 |
+//! | [`Format::Html`] | `.html` | | mesh with a viewer, d = 2, 3 |
 //!
 //! [`read_table`] reads columns of a file as attributes of its points, [`write_with`] writes
 //! attributes to the formats that hold them ([`Format::holds_attributes`]).
@@ -46,6 +48,7 @@ mod filtration;
 mod format;
 mod geojson;
 mod gmsh;
+mod html;
 #[cfg(test)]
 mod independent;
 mod json;
@@ -57,6 +60,7 @@ mod npy;
 mod obj;
 mod off;
 mod outer;
+mod picture;
 mod ply;
 mod poly;
 mod polygons;
@@ -66,6 +70,7 @@ pub(crate) mod samples;
 mod scanner;
 mod stl;
 mod surface;
+mod svg;
 mod tetgen;
 mod text;
 mod values;
@@ -354,8 +359,8 @@ pub fn write_file_with(
 /// Writes `mesh` to `out`; for `TetgenNode` the `.node` part, then the `.ele` part.
 ///
 /// `Xyz`, `Csv` and `Npy` write the mesh's vertices, before a run the distinct inputs (which are
-/// the first vertices of every mesh); `Csv` under the header `x0,x1,..,kind`. `Vtu` and
-/// `VoronoiJson` measure the mesh first, which takes longer than writing it.
+/// the first vertices of every mesh); `Csv` under the header `x0,x1,..,kind`. `Vtu`,
+/// `VoronoiJson`, `Svg` and `Html` measure the mesh first, which takes longer than writing it.
 ///
 /// # Errors
 /// - `Io`: `out` fails; it is not called again;
@@ -410,6 +415,8 @@ enum Content<'a> {
     Npy(&'a Mesh, &'a [Attribute]),
     Voronoi(&'a Mesh, &'a Triangulation),
     Domains(&'a Triangulation),
+    Svg(&'a Triangulation),
+    Html(&'a Triangulation, &'a [Attribute]),
 }
 
 impl<'a> Content<'a> {
@@ -454,6 +461,8 @@ impl<'a> Content<'a> {
             Format::Npy => Ok(Self::Npy(mesh, attributes)),
             Format::VoronoiJson => Ok(Self::Voronoi(mesh, triangulation()?)),
             Format::DomainsJson => triangulation().map(Self::Domains),
+            Format::Svg => triangulation().map(Self::Svg),
+            Format::Html => Ok(Self::Html(triangulation()?, attributes)),
             Format::Poly | Format::Smesh | Format::Obj | Format::Geojson | Format::Wkt => {
                 Err(format.read_only())
             }
@@ -490,6 +499,8 @@ impl<'a> Content<'a> {
             Self::Npy(mesh, attributes) => npy::write(mesh, attributes, out),
             Self::Voronoi(mesh, triangulation) => voronoi::write(mesh.inputs(), triangulation, out),
             Self::Domains(triangulation) => domains::write(triangulation, out),
+            Self::Svg(triangulation) => svg::write(triangulation, out),
+            Self::Html(triangulation, attributes) => html::write(triangulation, attributes, out),
         }
     }
 }

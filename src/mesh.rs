@@ -161,6 +161,24 @@ pub struct Stats {
     pub farthest_near_input: f64,
 }
 
+impl Stats {
+    /// Returns these with what instruments have measured in another run.
+    pub(crate) fn with_instruments_of(self, other: &Self) -> Self {
+        Self {
+            ply_probes: other.ply_probes,
+            max_ply: other.max_ply,
+            mean_ply: other.mean_ply,
+            max_ball_intersections: other.max_ball_intersections,
+            mean_ball_intersections: other.mean_ball_intersections,
+            feature_size_constant: other.feature_size_constant,
+            insertion_constant_input: other.insertion_constant_input,
+            insertion_constant_corner: other.insertion_constant_corner,
+            insertion_constant_cage: other.insertion_constant_cage,
+            ..self
+        }
+    }
+}
+
 /// Result of a run: a Delaunay triangulation, its domain hierarchy, and the parameters of the run.
 #[derive(Clone, Debug)]
 pub struct Triangulation {

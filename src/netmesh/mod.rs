@@ -13,7 +13,8 @@
 //! 10. [`slivers`]: tetrahedra with small dihedral angles are mended.
 //! 11. [`partitions`]: large meshes made in partitions, on several threads.
 //! 12. [`result`]: the arrays of the result.
-//! 13. [`distributed`]: partitions on several processes, of meshes that none of them has all of.
+//! 13. [`plain`]: the plain Delaunay triangulation of the plane, which needs none of these.
+//! 14. [`distributed`]: partitions on several processes, of meshes that none of them has all of.
 
 pub(crate) mod distributed;
 mod facets;
@@ -21,6 +22,7 @@ mod insertion;
 mod instruments;
 mod operations;
 mod partitions;
+mod plain;
 mod questions;
 mod refinement;
 mod result;
@@ -153,6 +155,9 @@ where
     let mut watch = Watch::new(progress);
     // Also the shortest run can be watched and cancelled.
     watch.report()?;
+    if D == 2 && parameters.algorithm == Algorithm::Delaunay {
+        return plain_in_plane::<D>(inputs, parameters, watch);
+    }
     let by_region = arrangement.as_deref().is_some_and(Arrangement::has_sizes);
     let sizes = Sizes::new(inputs, &parameters, size, by_region);
     let mut mesher = Mesher::<D>::new(inputs, parameters, watch)?;
@@ -164,6 +169,28 @@ where
     }
     made?;
     mesher.into_triangulation(begun)
+}
+
+/// Makes the plain Delaunay triangulation of the plane. Instruments, if there are any, look at D-balls,
+/// which only a [`Mesher`] has.
+fn plain_in_plane<const D: usize>(
+    inputs: &Inputs,
+    parameters: Parameters,
+    mut watch: Watch<'_, '_>,
+) -> Result<Triangulation>
+where
+    for<'a, 'b> Mesher<'a, 'b, D>: Dimension,
+{
+    let begun = Instant::now();
+    let has_instruments = parameters.instruments;
+    let mut made = plain::triangulate(inputs, parameters.clone(), &mut watch)?;
+    if has_instruments {
+        let mut mesher = Mesher::<D>::new(inputs, parameters, watch)?;
+        mesher.mesh(None)?;
+        let measured = mesher.into_triangulation(begun)?.stats;
+        made.stats = made.stats.with_instruments_of(&measured);
+    }
+    Ok(made)
 }
 
 impl<const D: usize> Mesher<'_, '_, D>

@@ -1,0 +1,27 @@
+//! The order in which inputs go in: rounds, each a sample of twice as many as all before it, and
+//! each in the order of locality.
+
+use crate::error::Result;
+use crate::memory::{TryGrow, with_capacity};
+use crate::numerics::mixed;
+
+/// Rounds of one input for each of `2^MOST` are as good as none.
+const MOST: u32 = 24;
+
+/// Returns the inputs of each round but those of the first triangle. An input is in the last round
+/// with probability 1/2, in the one before with 1/4, and so on.
+pub(super) fn rounds(count: usize, seed: u64, first: &[u32; 3]) -> Result<Vec<Vec<u32>>> {
+    let levels = count.max(2).ilog2().min(MOST);
+    let level = |input: u32| mixed(seed ^ u64::from(input)).trailing_zeros().min(levels);
+    let others = || (0..count as u32).filter(|input| !first.contains(input));
+    let mut counts = [0usize; MOST as usize + 1];
+    others().for_each(|input| counts[level(input) as usize] += 1);
+    let mut rounds: Vec<Vec<u32>> = with_capacity(levels as usize + 1)?;
+    for count in counts[..=levels as usize].iter().rev() {
+        rounds.push(with_capacity(*count)?);
+    }
+    for input in others() {
+        rounds[(levels - level(input)) as usize].try_push(input)?;
+    }
+    Ok(rounds)
+}

@@ -26,8 +26,8 @@ impl Projection {
         all.into_iter().find(|projection| !projection.turn(corners).is_zero())
     }
 
-    /// Returns the projections along all axes, that first in which the largest of some loops
-    /// encloses most, but for roundings.
+    /// Returns the projections along all axes, sorted by the area of the largest of some loops in
+    /// them, but for roundings: the one with the largest area first.
     pub fn by_area<'a>(
         points: &[[f64; 3]],
         loops: impl Iterator<Item = &'a [u32]> + Clone,
@@ -52,7 +52,10 @@ impl Projection {
             }
         }
         let mut all = Self::ALL;
-        all.sort_by(|a, b| largest[b.axis].abs().total_cmp(&largest[a.axis].abs()));
+        all.sort_unstable_by(|a, b| {
+            let by_size = largest[b.axis].abs().total_cmp(&largest[a.axis].abs());
+            by_size.then(a.axis.cmp(&b.axis))
+        });
         all
     }
 

@@ -176,8 +176,8 @@ fn holes_are_closed() {
     }
 }
 
-/// Of a ring that is missing between two loops each loop is closed by itself: the lid of the outer
-/// one lies over that of the inner one.
+/// Each loop of a ring that is missing is closed by itself: the lid of the outer one lies over that
+/// of the inner one.
 #[test]
 fn both_loops_of_a_missing_ring_get_a_lid() {
     let bench = Workbench::new("facets_ring");

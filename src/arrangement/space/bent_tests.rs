@@ -99,7 +99,7 @@ fn loops_are_seen_along_the_axis_that_shows_them_whole() {
     assert!(seen[1..].iter().all(|&count| count > 100) && refused > 100, "{seen:?} {refused}");
 }
 
-/// Of a polygon with a hole the outer loop decides, whichever comes first and however they turn.
+/// The outer loop of a polygon with a hole decides, whichever comes first and however they turn.
 #[test]
 fn the_largest_loop_decides() {
     // A plate that stands up at one corner, with a hole that is steeper than the plate.

@@ -194,15 +194,24 @@ mod tests {
         assert!(mesh.given_facets().are_triangles && mesh.inputs().duplicates() == 2);
     }
 
-    /// A square with a hole that collapses, a segment that does and a vertex; a sliver of which
-    /// three corners become two; and a square whose corners are there twice in a row.
+    /// A square with two holes that collapse, a segment that does and a vertex; a sliver of which
+    /// three corners become two; a square with a corner twice; and a triangle.
     #[test]
     fn polygons_lose_corners_that_are_one_with_the_next() {
-        let corners = "1 0 0 0\n2 4 0 0\n3 4 4 0\n4 0 4 0\n5 1 1 0\n6 1 1.0000000000001 0\n\
-                       7 2 2 0\n8 0 0 1e-13\n9 1 1 1e-13\n";
-        let facets = "4 1\n5 0 3\n4 1 2 3 4\n3 5 6 7\n3 5 6 9\n2 5 6\n1 7\n1 0 4\n3 1 8 2\n\
-                      1 0 5\n5 1 2 3 4 8\n1 0 6\n3 1 2 3\n0\n0\n";
-        let mut table = read(&format!("9 3\n{corners}{facets}"), Format::Poly);
+        let points = "0 0 0\n4 0 0\n4 4 0\n0 4 0\n1 1 0\n1 1.0000000000001 0\n2 2 0\n0 0 1e-13\n\
+                      1 1 1e-13\n";
+        let mut table = read(points, Format::Xyz);
+        table.outline.facets = Facets {
+            loop_starts: vec![0, 5, 6, 7, 8],
+            input_starts: vec![0, 4, 7, 10, 12, 13, 16, 21, 24],
+            inputs: [
+                &[0, 1, 2, 3, 4, 5, 6, 4, 5, 8, 4, 5, 6][..],
+                &[0, 7, 1, 0, 1, 2, 3, 7, 0, 1, 2],
+            ]
+            .concat(),
+            markers: vec![3, 4, 5, 6],
+            are_triangles: false,
+        };
         let merged = table.merge_corners(1e-10).unwrap();
         let [triangles, polygons, loops] = [0, 1, 2];
         assert_eq!(merged, Merged { points: 3, triangles, polygons, loops, left_out: vec![1] });

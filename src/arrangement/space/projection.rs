@@ -38,7 +38,7 @@ impl Projection {
         let origin = of_all().next().unwrap_or(&[0.0; 3]);
         let way =
             |x: &[f64; 3]| -> [f64; 3] { std::array::from_fn(|k| 0.5 * x[k] - 0.5 * origin[k]) };
-        let longest = of_all().flat_map(|x| way(x)).fold(0.0f64, |longest, x| longest.max(x.abs()));
+        let longest = of_all().flat_map(&way).fold(0.0f64, |longest, x| longest.max(x.abs()));
         let mut largest = [0.0; 3];
         for own in loops.clone() {
             let mut area = [0.0; 3];

@@ -35,9 +35,9 @@ pub struct Arguments {
     pub input: PathBuf,
 
     /// Further file of points, facets and segments, which are meshed together with those of the
-    /// input: points inside, walls, patches of one surface in a file each; facets of all are
-    /// triangles, or of all polygons (.poly, .smesh). Markers of each file are raised until they
-    /// are larger than those before, so that they differ. May be given again
+    /// input: points inside, walls, patches of one surface in a file each. Polygons become
+    /// triangles if other files have triangles. Markers of each file are raised until they are
+    /// larger than those before, so that they differ. May be given again
     #[arg(long, value_name = "FILE", conflicts_with_all = ["attributes", "sizes"])]
     pub with: Vec<PathBuf>,
 
@@ -115,7 +115,8 @@ pub struct Arguments {
     /// Make no mesh, but tell what keeps the facets of the input from being a closed surface that a
     /// mesh can conform to: edges that are open, of three or more facets or turned round, facets
     /// without an area, and all pairs that cross, touch or overlap. They are the cells of FILE, in
-    /// VTK's format, and its name ends with .vtu
+    /// VTK's format, and its name ends with .vtu. Of the options of a mesh only --coplanar may be
+    /// given, up to which polygons count as plane
     #[arg(long, value_name = "FILE")]
     #[arg(conflicts_with_all = [
         "output", "output_format", "attributes", "filtration", "alpha_shape", "finish",
@@ -136,8 +137,8 @@ pub struct Arguments {
 
     /// Make corners of facets one that are at most RATIO times the diagonal of the surface from
     /// each other, 0 to 0.001: programs write a point several times, with other roundings.
-    /// Triangles of which two corners become one are left out. Without it equal corners alone are
-    /// one
+    /// Triangles of which two corners become one are left out, and loops of polygons of which fewer
+    /// than three corners stay. Without it equal corners alone are one
     #[arg(long, value_name = "RATIO", value_parser = parse_ratio)]
     pub merge: Option<f64>,
 

@@ -5,8 +5,10 @@ use crate::exit_code::{ExitCode, Failure};
 use crate::input;
 use crate::merging;
 use crate::numbers::{counted, grouped};
+use crate::origins::Origins;
 use crate::repairs::Repairs;
 use crate::standard;
+use crate::words::argument;
 use netmesh::io::write_diagnosis_file;
 use netmesh::mesh::Diagnosis;
 use netmesh::{EdgeFault, Feature, Intersection, IntersectionKind, Mesh};
@@ -17,8 +19,14 @@ use std::path::Path;
 /// Number of pairs that the text names.
 const MOST: usize = 10;
 
-/// Refuses a path whose extension is not that of the format, and standard output.
-pub fn require(path: &Path) -> Result<(), Failure> {
+/// Refuses a path whose extension is not that of the format, and standard output; and options of a
+/// run, which is not made, apart from the angle up to which a polygon counts as plane.
+pub fn require(path: &Path, arguments: &Arguments) -> Result<(), Failure> {
+    if let Some(option) = arguments.given.iter().find(|option| **option != "coplanar") {
+        let option = argument(option);
+        let message = format!("{option} is for a mesh; --diagnose makes none");
+        return Err(Failure::new(ExitCode::Usage, message));
+    }
     let is_vtu = |extension: &OsStr| extension.eq_ignore_ascii_case("vtu");
     let rule = match path.extension().is_some_and(is_vtu) {
         _ if standard::is_meant(path) => "--diagnose needs the name of a file that ends with .vtu",
@@ -31,6 +39,7 @@ pub fn require(path: &Path) -> Result<(), Failure> {
 /// Returns the text of what was found in a mesh, and writes it into a file.
 pub fn text(
     mesh: &Mesh,
+    origins: &Origins,
     repairs: &Repairs,
     path: &Path,
     arguments: &Arguments,
@@ -56,7 +65,7 @@ pub fn text(
     }
     add_counts(&mut text, &found, words);
     for pair in found.intersections.iter().take(MOST) {
-        let _ = writeln!(text, "            {}", sentence(pair, words));
+        let _ = writeln!(text, "            {}", sentence(pair, words, origins));
     }
     if let Some(more) = found.intersections.len().checked_sub(MOST + 1) {
         let _ = writeln!(text, "            and {} more", grouped(more as u64 + 1));
@@ -94,10 +103,16 @@ fn add_counts(text: &mut String, found: &Diagnosis, [one, many]: [&str; 2]) {
 }
 
 /// Returns a line about a pair, or about a facet without an area.
-fn sentence(found: &Intersection, [one, _]: [&str; 2]) -> String {
-    let name = |feature: Feature| match feature {
-        Feature::Facet(facet) => format!("{one} {facet}"),
-        Feature::Segment(segment) => format!("segment {segment}"),
+fn sentence(found: &Intersection, [one, _]: [&str; 2], origins: &Origins) -> String {
+    let name = |feature: Feature| {
+        let name = match feature {
+            Feature::Facet(facet) => format!("{one} {facet}"),
+            Feature::Segment(segment) => format!("segment {segment}"),
+        };
+        match origins.tell_more(feature) {
+            true => format!("{name} ({})", origins.name(feature)),
+            false => name,
+        }
     };
     let verb = match found.kind {
         IntersectionKind::Cross => "crosses",

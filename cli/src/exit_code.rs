@@ -2,7 +2,7 @@
 //! the machine's. `docs/command_line.md` and `--help` say the same; values are append only.
 
 use crate::words::{CommandLine, in_options};
-use netmesh::error::Name;
+use netmesh::error::{Name, Words};
 use netmesh::{Error, ErrorKind};
 
 /// Why the program ended.
@@ -61,7 +61,7 @@ impl Failure {
 
     /// Returns a failure to mesh what `path` holds, in the words of what was given: where no option
     /// is to blame, the input is.
-    pub fn of_run(path: &str, error: &Error, words: CommandLine<'_>) -> Self {
+    pub fn of_run(path: &str, error: &Error, words: impl Words) -> Self {
         let message = error.in_words(words).to_string();
         match error.kind() {
             ErrorKind::InvalidArgument if !error.subject().is_some_and(is_option) => {
@@ -73,6 +73,11 @@ impl Failure {
 
     /// Returns a failure to read `path`.
     pub fn reading(path: &str, error: &Error) -> Self {
+        Self::reading_in(path, error, CommandLine::default())
+    }
+
+    /// Returns a failure to read `path`, in words for what it has.
+    pub fn reading_in(path: &str, error: &Error, words: impl Words) -> Self {
         let code = match error.kind() {
             ErrorKind::Format | ErrorKind::InvalidArgument if error.is_of_content() => {
                 ExitCode::InputRefused
@@ -80,7 +85,7 @@ impl Failure {
             ErrorKind::Io | ErrorKind::Format => ExitCode::InputUnreadable,
             _ => code_of(error.kind()),
         };
-        Self::new(code, at_path(path, error))
+        Self::new(code, named(path, error.in_words(words).to_string()))
     }
 
     /// Returns a failure to use what `path` holds beside the input: a value that is out of range is
@@ -123,7 +128,9 @@ fn named(path: &str, message: String) -> String {
 
 /// Returns true for what is given on the command line, and false for what files say.
 fn is_option(name: Name) -> bool {
-    !matches!(name, Name::Seed(_) | Name::SizeAt(_) | Name::BackgroundSizeAt(_) | Name::Triangle(_))
+    let is_size = matches!(name, Name::SizeAt(_) | Name::BackgroundSizeAt(_));
+    let is_feature = matches!(name, Name::Facet(_) | Name::Triangle(_) | Name::Segment(_));
+    !(is_size || is_feature || matches!(name, Name::Seed(_) | Name::Input(_)))
 }
 
 fn code_of(kind: ErrorKind) -> ExitCode {

@@ -5,8 +5,11 @@ use crate::choices::AddedValues;
 use crate::exit_code::{ExitCode, Failure};
 use crate::merging;
 use crate::numbers::counted;
+use crate::origins::{InFiles, Origins};
 use crate::standard;
+use crate::words::CommandLine;
 use netmesh::io::{self, Choice, Format, Merged, Table};
+use netmesh::mesh::FacetTriangulation;
 use netmesh::{Error, ErrorKind, Mesh, Result};
 use std::fmt::{Display, Formatter};
 use std::path::{Path, PathBuf};
@@ -16,10 +19,24 @@ pub struct Input {
     pub mesh: Mesh,
     /// Files of `--with`.
     pub further: Vec<Further>,
-    /// Number of corners that `--merge` has made one.
+    pub origins: Origins,
+    /// Result of `--merge`.
     pub merged: Option<Merged>,
-    /// Number of polygons that have become triangles, since other files have some.
-    pub mixed: usize,
+    /// Polygons that have become triangles, since other files have some.
+    pub mixed: Mixed,
+}
+
+/// Polygons of files that are meshed together with triangles of others.
+#[derive(Default)]
+pub struct Mixed {
+    /// Number of polygons that have become triangles.
+    pub polygons: usize,
+    /// Number of these that have no area.
+    pub without_area: usize,
+    /// Number of triangles with a corner twice, which are no polygons.
+    pub without_corners: usize,
+    /// Reason why triangles were taken for polygons instead, for a diagnosis.
+    pub refusal: Option<String>,
 }
 
 /// File that is meshed together with the input.
@@ -30,17 +47,17 @@ pub struct Further {
     pub segments: Marked,
 }
 
-/// Number of facets or segments of a file, and the least and largest of their markers, if there are
-/// any.
+/// Number of facets or segments that a file has, and the least and largest of their markers, if
+/// there are any.
 pub struct Marked {
     pub count: usize,
     pub markers: Option<(i32, i32)>,
 }
 
 impl Marked {
-    fn of(markers: &[i32]) -> Self {
+    fn of(count: usize, markers: &[i32]) -> Self {
         let range = markers.iter().min().zip(markers.iter().max());
-        Self { count: markers.len(), markers: range.map(|(&least, &largest)| (least, largest)) }
+        Self { count, markers: range.map(|(&least, &largest)| (least, largest)) }
     }
 }
 
@@ -73,8 +90,8 @@ pub fn names(arguments: &Arguments) -> String {
 
 /// Reads the input and the files of `--with`.
 pub fn read(arguments: &Arguments) -> std::result::Result<Input, Failure> {
-    let reading = |error: Error| {
-        let failure = Failure::reading(&standard::input_name(&arguments.input), &error);
+    let name = standard::input_name(&arguments.input);
+    let hinted = |failure: Failure, error: &Error| {
         let may_need_columns = error.message().ends_with(NO_OTHER_COLUMNS);
         match error.kind() {
             ErrorKind::Dimension => with_hint(failure, arguments),
@@ -82,67 +99,97 @@ pub fn read(arguments: &Arguments) -> std::result::Result<Input, Failure> {
             _ => failure,
         }
     };
-    let mut table = table(arguments).map_err(reading)?;
-    let mut mixed = 0;
-    let append = |path: &PathBuf| append(&mut table, path, &mut mixed, arguments);
+    let table = table(arguments);
+    let mut table = table.map_err(|error| hinted(Failure::reading(&name, &error), &error))?;
+    let (mut mixed, mut origins) = (Mixed::default(), Origins::of(name, &table));
+    let append = |path: &PathBuf| append(&mut table, &mut origins, path, &mut mixed, arguments);
     let further = arguments.with.iter().map(append).collect::<std::result::Result<_, Failure>>()?;
     let merged = merging::merge(&mut table, arguments)?;
-    let mesh = table.mesh(arguments.added_values == AddedValues::Linear).map_err(reading)?;
-    Ok(Input { mesh, further, merged, mixed })
+    if let Some(merged) = &merged {
+        origins.leave_out(&merged.left_out);
+    }
+    let mesh = table.mesh(arguments.added_values == AddedValues::Linear).map_err(|error| {
+        let words = InFiles { words: CommandLine::default(), origins: &origins };
+        hinted(Failure::reading_in(&names(arguments), &error, words), &error)
+    })?;
+    Ok(Input { mesh, further, origins, merged, mixed })
 }
 
 /// Appends what a further file has.
 fn append(
     table: &mut Table,
+    origins: &mut Origins,
     path: &Path,
-    mixed: &mut usize,
+    mixed: &mut Mixed,
     arguments: &Arguments,
 ) -> std::result::Result<Further, Failure> {
     let name = path.display().to_string();
     let choice = Choice { has_points_alone: arguments.points, ..Choice::default() };
     let further = io::read_table_file(path, Format::Auto, &choice);
     let mut further = further.map_err(|error| Failure::reading(&name, &error))?;
-    *mixed += split_unless_alike(table, &mut further, &name, arguments)?;
+    let mut own = Origins::of(name.clone(), &further);
+    let read = [further.outline.facets.count(), further.outline.segments.len()];
+    make_alike([(table, origins), (&mut further, &mut own)], mixed, arguments)?;
     let (facets, segments) = (table.outline.facets.count(), table.outline.segments.len());
+    origins.append(own, table);
     table.append(&further).map_err(|error| Failure::reading(&name, &error.of_content()))?;
     let outline = &table.outline;
     Ok(Further {
         name,
         points: further.points.coordinates.len() / further.points.dim,
-        facets: Marked::of(&outline.facets.markers[facets..]),
-        segments: Marked::of(&outline.markers[segments..]),
+        facets: Marked::of(read[0], &outline.facets.markers[facets..]),
+        segments: Marked::of(read[1], &outline.markers[segments..]),
     })
 }
 
-/// Makes triangles of polygons if one file has polygons and the other one triangles. Returns the
-/// number of polygons.
-fn split_unless_alike(
-    table: &mut Table,
-    further: &mut Table,
-    name: &str,
+/// Makes triangles of polygons if one of two tables has polygons and the other one triangles. Where
+/// that cannot be, a diagnosis takes the triangles for polygons.
+fn make_alike(
+    mut tables: [(&mut Table, &mut Origins); 2],
+    mixed: &mut Mixed,
     arguments: &Arguments,
-) -> std::result::Result<usize, Failure> {
-    let [own, given] = [&*table, &*further].map(|table| &table.outline.facets);
-    if own.count() == 0 || given.count() == 0 || own.are_triangles == given.are_triangles {
-        return Ok(0);
+) -> std::result::Result<(), Failure> {
+    let facets = tables.each_ref().map(|(table, _)| &table.outline.facets);
+    if facets.iter().any(|own| own.count() == 0) {
+        return Ok(());
     }
-    let (polygons, name) = match own.are_triangles {
-        true => (further, name.to_owned()),
-        false => (table, standard::input_name(&arguments.input)),
+    let Some(of_polygons) = facets.iter().position(|own| !own.are_triangles) else { return Ok(()) };
+    if !facets[1 - of_polygons].are_triangles {
+        return Ok(());
+    }
+    let (table, origins) = &mut tables[of_polygons];
+    let error = match split(table) {
+        Ok(made) => {
+            mixed.polygons += origins.count();
+            mixed.without_area += made.without_area;
+            origins.split(&made.parents);
+            return Ok(());
+        }
+        Err(error) => error,
     };
-    split(polygons).map_err(|error| {
-        let Failure { code, message } = Failure::reading(&name, &error.of_content());
-        let rule = "beside the triangles of other files, polygons have to become triangles";
-        Failure::new(code, format!("{message}; {rule}"))
-    })
+    let words = InFiles { words: CommandLine::default(), origins };
+    let names = origins.files();
+    let Failure { code, message } = Failure::reading_in(&names, &error.of_content(), words);
+    let rule = "beside the triangles of other files, polygons have to become triangles";
+    let failure = Failure::new(code, format!("{message}; {rule}"));
+    if arguments.diagnose.is_none() || code != ExitCode::InputRefused {
+        return Err(failure);
+    }
+    let (table, origins) = &mut tables[1 - of_polygons];
+    let taken = table.take_triangles_as_polygons();
+    let left_out = taken.map_err(|error| Failure::reading(&origins.files(), &error))?;
+    origins.leave_out(&left_out);
+    mixed.refusal.get_or_insert(failure.message);
+    mixed.without_corners += left_out.len();
+    Ok(())
 }
 
-/// Makes triangles of polygons. Returns the number of polygons.
-fn split(table: &mut Table) -> Result<usize> {
+/// Makes triangles of the polygons of a table.
+fn split(table: &mut Table) -> Result<FacetTriangulation> {
     let mut mesh = table.mesh(false)?;
-    let polygons = mesh.triangulate_facets()?;
+    let made = mesh.split_facets()?;
     table.outline.facets = mesh.given_facets().clone();
-    Ok(polygons)
+    Ok(made)
 }
 
 /// End of the library's refusal of `--attributes all` where there are no attributes.

@@ -18,6 +18,7 @@ mod manual;
 mod merging;
 mod meshing;
 mod numbers;
+mod origins;
 mod output;
 mod part;
 mod progress;

@@ -28,15 +28,25 @@ pub fn merge(table: &mut Table, arguments: &Arguments) -> Result<Option<Merged>,
         let message = format!("{name}: has no facets; --merge is for surfaces");
         return Err(Failure::new(ExitCode::Usage, message));
     }
-    table.merge_corners(ratio).map(Some).map_err(|error| Failure::reading(&name, &error))
+    let merged = table.merge_corners(ratio);
+    merged.map(Some).map_err(|error| Failure::reading(&name, &error))
 }
 
 /// Returns the line that tells what was merged.
-pub fn told(&Merged { points, triangles }: &Merged, ratio: f64) -> String {
-    let corners = counted(points as u64, "corner", "corners");
-    let gone = match triangles {
-        0 => String::new(),
-        _ => format!(", {} left out", counted(triangles as u64, "triangle", "triangles")),
+pub fn told(merged: &Merged, ratio: f64) -> String {
+    let Merged { points, triangles, polygons, loops, .. } = merged;
+    let corners = counted(*points as u64, "corner", "corners");
+    let gone = [
+        (*triangles, "triangle", "triangles"),
+        (*polygons, "polygon", "polygons"),
+        (*loops, "loop", "loops"),
+    ];
+    let gone = gone.into_iter().filter(|(count, _, _)| *count > 0);
+    let gone: Vec<String> =
+        gone.map(|(count, one, many)| counted(count as u64, one, many)).collect();
+    let gone = match gone.is_empty() {
+        true => String::new(),
+        false => format!(", {} left out", gone.join(" and ")),
     };
     format!("{corners} merged with others within {ratio:?} of the diagonal{gone}")
 }

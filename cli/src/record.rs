@@ -5,7 +5,7 @@
 use crate::alpha_shape::Measured;
 use crate::histograms::{Histograms, Table};
 use crate::input::{Further, Marked};
-use crate::repairs::Repairs;
+use crate::repairs::{Reason, Repairs};
 use crate::summary::Summary;
 use netmesh::options::{TABLE, Value as Given};
 use netmesh::validate::Report;
@@ -67,8 +67,16 @@ fn repairs(Repairs { merged, triangulated, closed }: &Repairs) -> Value {
         "merged": merged.as_ref().map(|merged| json!({
             "points": merged.points,
             "triangles": merged.triangles,
+            "polygons": merged.polygons,
+            "loops": merged.loops,
         })),
         "triangulated": triangulated.as_ref().map(|split| split.polygons),
+        "triangulated_without_area": triangulated.as_ref().map(|split| split.without_area),
+        "triangulated_since": triangulated.as_ref().map(|split| split.reason.word()),
+        "not_plane": triangulated.as_ref().and_then(|split| match &split.reason {
+            Reason::Bent(facet) => Some(facet),
+            _ => None,
+        }),
         "holes": closed.as_ref().map(|closed| json!({
             "closed": closed.holes,
             "triangles": closed.triangles.len(),

@@ -10,6 +10,7 @@ use crate::histograms::Histograms;
 use crate::input::{self, Input};
 use crate::interruption;
 use crate::merging;
+use crate::origins::{InFiles, Origins};
 use crate::output;
 use crate::part;
 use crate::progress::Display;
@@ -38,10 +39,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         timed(&mut times.read, || input::read(arguments))?
     };
     let repairs = repairs::repair(&mut input, arguments)?;
-    let Input { mut mesh, further, .. } = input;
+    let Input { mut mesh, further, origins, .. } = input;
     if let Some(path) = &arguments.diagnose {
         let _stage = display.stage("diagnosing");
-        return print(&diagnosis::text(&mesh, &repairs, path, arguments)?);
+        return print(&diagnosis::text(&mesh, &origins, &repairs, path, arguments)?);
     }
     if let Some(path) = &arguments.size_files.sizes {
         sizes::set(&mut mesh, path)?;
@@ -53,7 +54,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         require_output_format(&mesh, output, arguments)?;
         require_parts(&mesh, arguments)?;
     }
-    timed(&mut times.mesh, || make(&mut mesh, arguments, &display))?;
+    timed(&mut times.mesh, || make(&mut mesh, &origins, arguments, &display))?;
     let alpha_shape = timed(&mut times.write, || write(&mesh, arguments, &display))?;
     let report = match arguments.validate {
         true => Some({
@@ -113,7 +114,7 @@ fn check_paths(arguments: &Arguments) -> Result<(), Failure> {
         output::require_place(path)?;
     }
     if let Some(path) = &arguments.diagnose {
-        diagnosis::require(path)?;
+        diagnosis::require(path, arguments)?;
     }
     same_file::require_distinct(arguments)
 }
@@ -170,7 +171,12 @@ fn tell(summary: &Summary<'_>) -> Result<(), Failure> {
     }
 }
 
-fn make(mesh: &mut Mesh, arguments: &Arguments, display: &Display) -> Result<(), Failure> {
+fn make(
+    mesh: &mut Mesh,
+    origins: &Origins,
+    arguments: &Arguments,
+    display: &Display,
+) -> Result<(), Failure> {
     let stage = display.meshing();
     let options = part::options(arguments, mesh);
     let outcome = mesh.run(
@@ -182,6 +188,7 @@ fn make(mesh: &mut Mesh, arguments: &Arguments, display: &Display) -> Result<(),
     );
     let name = input::names(arguments);
     let words = CommandLine { regions: mesh.regions(), delaunay: arguments.delaunay_option() };
+    let words = InFiles { words, origins };
     outcome.map_err(|error| {
         let failure = Failure::of_run(&name, &error, words);
         let is_refused = failure.code == ExitCode::InputRefused;

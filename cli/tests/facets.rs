@@ -2,12 +2,12 @@
 
 use crate::workbench::Workbench;
 
-const CUBE: &str = "OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n\
+pub const CUBE: &str = "OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n\
                     4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
 
 const POINTS: &str = "5 3\n1 0 0 0\n2 4 0 0\n3 4 4 0\n4 0 4 0\n5 2 2 3\n";
 
-fn pyramid() -> String {
+pub fn pyramid() -> String {
     format!(
         "{POINTS}5 1\n1 0 9\n4 1 2 3 4\n1 0 2\n3 1 2 5\n1\n3 2 3 5\n1\n3 3 4 5\n1\n3 4 1 5\n0\n0\n"
     )
@@ -134,7 +134,14 @@ fn surfaces_are_diagnosed() {
         let is_named = outcome.stderr.contains(&refusal) || outcome.stderr.contains(&reversed);
         assert!(is_named, "{given}: {}", outcome.stderr);
     }
+    for option in ["--max-edge 1", "--crossings split", "--extent hull", "--threads 1", "--bound 2"]
+    {
+        let name = option.split(' ').next().unwrap();
+        let rule = format!("netmesh: {name} is for a mesh; --diagnose makes none\n");
+        bench.run(&format!("bad.off --diagnose a.vtu {option}")).assert_failure(2, &[&rule]);
+    }
     assert!(!bench.files().iter().any(|name| name == "a.vtu"));
+    bench.run("bad.off --diagnose a.vtu --coplanar 0").assert_success();
 }
 
 /// Holes are closed where that is asked for, in what is meshed and in what is diagnosed.
@@ -166,6 +173,37 @@ fn holes_are_closed() {
         ("open.off --close-holes 1001", "1001 is not in 3..=1000"),
     ] {
         bench.run(line).assert_failure(2, &[words]);
+    }
+}
+
+/// Each loop of a ring that is missing is closed by itself: the lid of the outer one lies over that
+/// of the inner one.
+#[test]
+fn both_loops_of_a_missing_ring_get_a_lid() {
+    let bench = Workbench::new("facets_ring");
+    // A tube of square walls, closed by a ring below and open above.
+    let corners = "0 0 0\n4 0 0\n4 4 0\n0 4 0\n0 0 4\n4 0 4\n4 4 4\n0 4 4\n\
+                   1 1 0\n3 1 0\n3 3 0\n1 3 0\n1 1 4\n3 1 4\n3 3 4\n1 3 4\n";
+    let outer = "4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+    let inner = "4 8 12 13 9\n4 9 13 14 10\n4 10 14 15 11\n4 11 15 12 8\n";
+    let ring = "4 0 8 9 1\n4 1 9 10 2\n4 2 10 11 3\n4 3 11 8 0\n";
+    bench.write("tube.off", &format!("OFF\n16 12 0\n{corners}{outer}{inner}{ring}"));
+    let outcome = bench.run("tube.off --close-holes 4 --diagnose tube.vtu");
+    outcome.assert_success();
+    for words in [
+        "2 holes closed with 4 triangles, 0 edges left open\n",
+        "edges       0 edges where one facet ends",
+        "pairs that overlap\n",
+        " (a triangle that closes a hole) overlaps ",
+    ] {
+        assert!(outcome.stdout.contains(words), "no {words:?} in {}", outcome.stdout);
+    }
+    let words = [" and a triangle that closes a hole touch near "];
+    bench.run("tube.off --close-holes 4").assert_failure(4, &words);
+    let outcome = bench.run("tube.off --close-holes 4 --triangulate --crossings split --validate");
+    outcome.assert_success();
+    for words in ["of what facets enclose", "holds at level 3"] {
+        assert!(outcome.stdout.contains(words), "no {words:?} in {}", outcome.stdout);
     }
 }
 
@@ -246,80 +284,6 @@ fn further_files_are_meshed_together_with_the_input() {
     }
 }
 
-/// Polygons are meshed as triangles where that is asked for, or where one is not plane.
-#[test]
-fn polygons_become_triangles() {
-    let bench = Workbench::new("facets_triangulated");
-    // One corner of the cube is off the planes of three sides.
-    bench.write("bent.off", &CUBE.replacen("1 1 1\n", "1.1 1.2 1.3\n", 1));
-    let bent = " 6 polygons split into triangles: facets[1] is not plane\n";
-    let asked = " 6 polygons split into triangles\n";
-    for (line, told) in [("bent.off", bent), ("bent.off --triangulate", asked)] {
-        let outcome = bench.run(&format!("{line} --validate --json bent.json"));
-        outcome.assert_success();
-        for words in [told, "12 triangles; ", "holds at level 3"] {
-            assert!(outcome.stdout.contains(words), "no {words:?} in {}", outcome.stdout);
-        }
-        assert!(bench.read("bent.json").contains("\"triangulated\": 6"));
-        let outcome = bench.run(&format!("{line} --diagnose bent.vtu"));
-        outcome.assert_success();
-        for words in [told, "12 triangles in", "edges       0 edges where"] {
-            assert!(outcome.stdout.contains(words), "no {words:?} in {}", outcome.stdout);
-        }
-    }
-    // Of polygons that are plane, or that may be bent so far, all edges are kept.
-    for line in ["cube.off", "slope.off --coplanar 10"] {
-        bench.write("cube.off", CUBE);
-        bench.write("slope.off", &CUBE.replacen("1 1 1\n", "1 1 1.05\n", 1));
-        let outcome = bench.run(line);
-        outcome.assert_success();
-        assert!(!outcome.stdout.contains("split into"), "{line}: {}", outcome.stdout);
-    }
-    // A segment within a polygon would be lost.
-    let base = pyramid().replacen("1 0 9\n4 1 2 3 4\n", "2 0 9\n4 1 2 3 4\n2 1 3\n", 1);
-    bench.write("bent.poly", &base.replacen("3 4 4 0\n", "3 4 4 0.5\n", 1));
-    let within = "bent.poly: facets have segments within";
-    let why = "polygons have to become triangles, since facets[0] is not plane";
-    bench.run("bent.poly").assert_failure(4, &[within, why]);
-    bench.run("bent.poly --triangulate").assert_failure(4, &[within]);
-    bench.run("bent.poly --diagnose bent.vtu").assert_success();
-    bench.write("points.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
-    let none = "points.xyz: has no facets; --triangulate is for surfaces";
-    bench.run("points.xyz --triangulate").assert_failure(2, &[none]);
-    // Plane polygons are facets again; a facet keeps its marker.
-    bench.write("pyramid.poly", &pyramid());
-    bench.run("pyramid.poly --triangulate -q -o pyramid.node").assert_success();
-    let face = bench.read("pyramid.face");
-    assert_eq!(face.lines().filter(|line| line.ends_with(" 9")).count(), 2, "{face}");
-}
-
-/// Polygons of one file and triangles of another are triangles, whichever comes first.
-#[test]
-fn polygons_and_triangles_are_meshed_together() {
-    let bench = Workbench::new("facets_mixed");
-    bench.write("cube.off", CUBE);
-    let corners = "0.25 0.25 0.25\n0.75 0.25 0.25\n0.25 0.75 0.25\n0.25 0.25 0.75\n";
-    let faces = "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
-    bench.write("inner.off", &format!("OFF\n4 4 0\n{corners}{faces}"));
-    for line in ["cube.off --with inner.off", "inner.off --with cube.off"] {
-        let outcome = bench.run(&format!("{line} --validate --json mixed.json"));
-        outcome.assert_success();
-        for words in [
-            " 6 polygons split into triangles, as the other facets are\n",
-            "16 triangles; ",
-            "holds at level 3",
-        ] {
-            assert!(outcome.stdout.contains(words), "no {words:?} in {}", outcome.stdout);
-        }
-        assert!(bench.read("mixed.json").contains("\"triangulated\": 6"));
-    }
-    // Such polygons have no triangles.
-    bench.write("crossed.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n4 0 1 2 3\n");
-    let rule = "beside the triangles of other files, polygons have to become triangles";
-    bench.run("inner.off --with crossed.off").assert_failure(4, &["crossed.off: ", rule]);
-    bench.run("crossed.off --with inner.off").assert_failure(4, &["crossed.off: ", rule]);
-}
-
 /// The record has what was meshed together, and what was repaired.
 #[test]
 fn the_record_has_further_files_and_repairs() {
@@ -340,18 +304,19 @@ fn the_record_has_further_files_and_repairs() {
     ]);
     assert_eq!(record["with"], expected);
     let expected = serde_json::json!({
-        "merged": { "points": 1, "triangles": 0 },
+        "merged": { "points": 1, "triangles": 0, "polygons": 0, "loops": 0 },
         "triangulated": null,
+        "triangulated_without_area": null,
+        "triangulated_since": null,
+        "not_plane": null,
         "holes": { "closed": 1, "triangles": 2, "open_edges": 0 },
     });
     assert_eq!(record["repairs"], expected);
     bench.run("open.off -q --json alone.json").assert_success();
     let record: serde_json::Value = serde_json::from_str(&bench.read("alone.json")).unwrap();
     assert_eq!(record["with"], serde_json::json!([]));
-    assert_eq!(
-        record["repairs"],
-        serde_json::json!({ "merged": null, "triangulated": null, "holes": null })
-    );
+    let repairs = record["repairs"].as_object().unwrap();
+    assert!(repairs.len() == 6 && repairs.values().all(|value| value.is_null()), "{repairs:?}");
 }
 
 /// A domain is meshed to what its facets enclose, and every format has its parts.

@@ -9,6 +9,7 @@ mod filtration;
 mod histogram;
 mod meshing;
 mod min_angle;
+mod polygons;
 mod refusals;
 mod sample;
 mod sizes;

@@ -140,7 +140,10 @@ def triangulate_facets(points: Any, facets: Any = None) -> tuple[np.ndarray, np.
     """Find the triangles that polygons consist of.
 
     For polygons that are not plane, which `mesh` refuses. The view of a polygon along an axis decides
-    which triangles between its points it becomes.
+    which triangles between its points it becomes: that of its plane or, if it has none, the first in
+    which it does not meet itself, beginning with that in which it is largest. A polygon without an
+    area becomes one triangle without one, which `mesh` refuses, or leaves out with
+    ``crossings="split"``.
 
     Parameters
     ----------
@@ -158,7 +161,7 @@ def triangulate_facets(points: Any, facets: Any = None) -> tuple[np.ndarray, np.
     Raises
     ------
     InvalidArgumentError
-        If a polygon meets itself, has no area, or has segments within.
+        If a polygon has segments within, or meets itself: if it is not plane, along each axis.
 
     Examples
     --------

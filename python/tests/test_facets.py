@@ -137,6 +137,15 @@ def test_polygons_become_triangles():
     same, own = netmesh.triangulate_facets(SimpleNamespace(vertices=CUBE, faces=TRIANGLES))
     assert same.tolist() == [list(triangle) for triangle in TRIANGLES] and own.tolist() == list(range(12))
     assert [len(found) for found in netmesh.triangulate_facets(CUBE)] == [0, 0]
+    bent[7] += [0, 0, 3]
+    assert len(netmesh.triangulate_facets(bent, SIDES)[0]) == 12
+    # A polygon without an area is a triangle without one, for the run to refuse or leave out.
+    points = np.array([*bent, (bent[0] + bent[1]) / 2])
+    triangles, parents = netmesh.triangulate_facets(points, [*SIDES, [0, 8, 1]])
+    assert (triangles[-1].tolist(), parents[-1]) == ([0, 8, 1], 6)
+    with pytest.raises(netmesh.InvalidArgumentError, match=r"facets\[12\] has no area"):
+        netmesh.mesh(points, facets=triangles)
+    assert netmesh.mesh(points, facets=triangles, crossings="split").volumes.sum() > 1
     with pytest.raises(netmesh.InvalidArgumentError, match="dimension 2; polygons of facets are for 3D"):
         netmesh.triangulate_facets([[0, 0], [1, 0], [0, 1]])
 

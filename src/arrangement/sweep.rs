@@ -8,7 +8,7 @@
 use super::poll::Poll;
 use super::ranked::{Key, RankedVertices, key};
 use super::status::{ABOVE, BELOW, Status};
-use crate::error::{Choice, Error, ErrorKind, Result, say};
+use crate::error::{Choice, Error, ErrorKind, Name, Result, say};
 use crate::memory::{AllocError, AllocResult, Lists, TryGrow, collected, filled};
 use crate::mesh::{NONE, Subsegment};
 use crate::numerics::{Lines, Sign, compare_crossings, compare_to_crossing, crossing, orientation};
@@ -485,9 +485,12 @@ impl Sweep<'_> {
             [first(lower, upper, Sign::Positive), first(upper, lower, Sign::Negative)];
         segments.sort_unstable();
         let Some([x, y]) = (self.handling.refuses)(segments) else { return Ok(()) };
-        let [first, second] = segments;
+        let [first, second] = segments.map(|segment| Name::Segment(segment as usize));
         let message = say!(
-            "segments[{first}] and segments[{second}] cross near ({x:?}, {y:?}), where no input \
+            first,
+            " and ",
+            second,
+            " cross near ({x:?}, {y:?}), where no input \
              is; with ",
             Choice::Crossings(Crossings::Split),
             " they are split there"

@@ -8,16 +8,19 @@ use super::handle::{nm_mesh, with_mesh_mut};
 /// nm_run refuses. 3D only. The result of a run stays as it is until the next.
 ///
 /// A triangle has the marker of its polygon, and is turned as that is. The view of a polygon along
-/// an axis decides which triangles it becomes. Triangles in one plane are one facet of a mesh, as
-/// those of any surface are (coplanar in nm_options). Triangles that were given as such stay.
+/// an axis decides which triangles it becomes: that of its plane or, if it has none, the first in
+/// which it does not meet itself, beginning with that in which it is largest. A polygon without an
+/// area becomes one triangle without one, which nm_run refuses or leaves out. Triangles in one
+/// plane are one facet of a mesh, as those of any surface are (coplanar in nm_options). Triangles
+/// that were given as such stay.
 ///
 /// polygons: NULL, or gets the number of polygons that have become triangles; 0 if triangles were
 /// given, or no facets.
 ///
-/// Errors: NM_NULL_ARGUMENT (mesh), NM_INVALID_ARGUMENT (a mesh that is not 3D; a polygon that
-/// meets itself, has no area, or has segments within), NM_CAPACITY (more triangles than
-/// nm_mesh_set_triangles takes), NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh, or it
-/// is poisoned). After an error the facets are as they were.
+/// Errors: NM_NULL_ARGUMENT (mesh), NM_INVALID_ARGUMENT (a mesh that is not 3D; a polygon that has
+/// segments within, or meets itself: if it is not plane, seen along each axis), NM_CAPACITY (more
+/// triangles than nm_mesh_set_triangles takes), NM_OUT_OF_MEMORY, NM_STATE (another call is using
+/// the mesh, or it is poisoned). After an error the facets are as they were.
 ///
 /// O(n log n) for n inputs of polygons. Before nm_run and after.
 #[unsafe(no_mangle)]

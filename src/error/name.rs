@@ -27,8 +27,14 @@ macro_rules! declare_names {
             Interpolation,
             /// Point of a region or hole, by its number among all regions.
             Seed(u32),
+            /// Facet that is a polygon, by its number.
+            Facet(usize),
             /// Triangle of a surface, by its number.
             Triangle(usize),
+            /// Segment, by its number.
+            Segment(usize),
+            /// Input of a facet or segment that the message names, by its number.
+            Input(usize),
             /// Columns that are coordinates.
             Columns,
             /// Columns that are attributes.
@@ -83,7 +89,10 @@ impl Display for Name {
             Self::SizeAt(at) | Self::BackgroundSizeAt(at) => write!(f, "sizes[{at}]"),
             Self::Interpolation => f.write_str("method.interpolation"),
             Self::Seed(number) => write!(f, "regions[{number}].seed"),
+            Self::Facet(at) => write!(f, "facets[{at}]"),
             Self::Triangle(at) => write!(f, "triangles[{at}]"),
+            Self::Segment(at) => write!(f, "segments[{at}]"),
+            Self::Input(at) => write!(f, "{at}"),
             Self::Columns => f.write_str("columns"),
             Self::Attributes => f.write_str("attributes"),
             Self::SelectedDomain => f.write_str("selection.domain"),

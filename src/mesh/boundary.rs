@@ -2,7 +2,7 @@
 //! without crossings.
 
 use super::{ArrangedFacet, Boxed, FacetTriangle, Inputs, Mesh, NONE, Triangulation};
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Error, ErrorKind, Name, Result, message, say};
 use crate::memory::{AllocError, AllocResult, Lists, collected, copied, filled, with_capacity};
 use std::ops::RangeInclusive;
 
@@ -368,20 +368,21 @@ pub(super) fn markers_or_zeros(markers: Option<&[i32]>, count: usize) -> AllocRe
 
 fn check_segment(inputs: &Inputs, at: usize, ends: [u32; 2]) -> Result<()> {
     let refuse = |message| Err(Error::new(ErrorKind::InvalidArgument, message));
-    let [from, to] = ends;
+    let ([from, to], segment) = (ends, Name::Segment(at));
+    let [one, other] = ends.map(|end| Name::Input(end as usize));
+    let count = inputs.count();
     if let Some(end) = ends.iter().find(|&&end| end as usize >= inputs.count()) {
-        return refuse(message!(
-            "segments[{at}] has the end {end}; ends must be less than the number of inputs, {}",
-            inputs.count()
+        return refuse(say!(
+            segment,
+            " has the end {end}; ends must be less than the number of inputs, {count}"
         ));
     }
     if from == to {
-        return refuse(message!("segments[{at}] has input {from} as both ends; its length is 0"));
+        return refuse(say!(segment, " has input ", one, " as both ends; its length is 0"));
     }
     if inputs.vertices()[from as usize] == inputs.vertices()[to as usize] {
-        return refuse(message!(
-            "segments[{at}] has the ends {from} and {to}, which are the same point; its length is 0"
-        ));
+        let rule = "which are the same point; its length is 0";
+        return refuse(say!(segment, " has the ends ", one, " and ", other, ", {rule}"));
     }
     Ok(())
 }

@@ -151,35 +151,45 @@ impl Facets {
     /// Fails if a loop of a facet has a number that is no input, or a point twice in a row, or if
     /// no loop is a polygon.
     fn check_loops(&self, inputs: &Inputs, facet: usize) -> Result<()> {
+        let (name, count) = (Name::Facet(facet), inputs.count());
         let refuse = |message| Err(Error::invalid(message));
         for (number, members) in self.loops(facet).enumerate() {
             if let Some(bad) = members.iter().find(|&&input| input as usize >= inputs.count()) {
-                return refuse(message!(
-                    "facets[{facet}] has the input {bad} in its loop {number}; it must be less \
-                     than the number of inputs, {}",
-                    inputs.count()
+                return refuse(say!(
+                    name,
+                    " has the input {bad} in its loop {number}; it must be less than the number of \
+                     inputs, {count}"
                 ));
             }
             let next = members.iter().cycle().skip(1);
             let mut pairs = members.iter().zip(next).filter(|_| members.len() > 1);
             if let Some((from, to)) = pairs.find(|&(from, to)| are_equal(inputs, *from, *to)) {
+                let [one, other] = [from, to].map(|&input| Name::Input(input as usize));
+                let rule = "the length between must not be 0";
                 return refuse(match from == to {
-                    true => message!(
-                        "facets[{facet}] has input {from} twice in a row in its loop {number}; the \
-                         length between must not be 0"
-                    ),
-                    false => message!(
-                        "facets[{facet}] has the inputs {from} and {to} in a row in its loop \
-                         {number}, which are the same point; the length between must not be 0"
+                    true => {
+                        say!(
+                            name,
+                            " has input ",
+                            one,
+                            " twice in a row in its loop {number}; {rule}"
+                        )
+                    }
+                    false => say!(
+                        name,
+                        " has the inputs ",
+                        one,
+                        " and ",
+                        other,
+                        " in a row in its loop {number}, which are the same point; {rule}"
                     ),
                 });
             }
         }
         if self.loops(facet).all(|members| members.len() < 3) {
-            return refuse(message!(
-                "facets[{facet}] has no loop of three or more inputs; a facet must have one, and \
-                 may have segments (two inputs) and vertices (one input) besides"
-            ));
+            let rule = "a facet must have one, and may have segments (two inputs) and vertices \
+                        (one input) besides";
+            return refuse(say!(name, " has no loop of three or more inputs; {rule}"));
         }
         Ok(())
     }

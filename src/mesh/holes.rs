@@ -20,4 +20,6 @@ pub struct FacetTriangulation {
     pub triangles: Vec<[u32; 3]>,
     /// Triangle -> its facet.
     pub parents: Vec<u32>,
+    /// Number of facets without an area, each of which is one triangle without one.
+    pub without_area: usize,
 }

@@ -3,7 +3,7 @@
 use super::crossings;
 use super::{Point, Solid, assert_holds, assert_none_excused, bounded, cuboid, tilted, volume};
 use crate::random::Random;
-use netmesh::options::{Extent, Interior, Options};
+use netmesh::options::{Crossings, Extent, Interior, Options};
 use netmesh::{Mesh, NONE, Region};
 use std::collections::BTreeSet;
 
@@ -180,6 +180,45 @@ fn sides_stay_plane_beside_inputs_that_are_nearly_on_them() {
     let (sine, cosine) = 0.4f64.sin_cos();
     let turned = solid.moved(|[x, y, z]| [x, cosine * y - sine * z, sine * y + cosine * z]);
     turned.run(&bounded(2.0));
+}
+
+/// Sides of which a corner stands up by any height are triangles.
+#[test]
+fn polygons_that_are_bent_far_become_triangles() {
+    for height in [1.5, 2.0, 2.5, 4.0, 30.0] {
+        let mut solid = cuboid([0.0; 3], [1.0; 3]);
+        solid.points[7][2] = height;
+        let mut mesh = solid.mesh();
+        assert_eq!(mesh.bent_polygon(0.0).unwrap(), Some(1));
+        assert_eq!(mesh.triangulate_facets().unwrap(), 6);
+        mesh.run(&bounded(f64::INFINITY), None).unwrap();
+        assert_holds(&mesh);
+        // Of the side with the corner either diagonal may be an edge.
+        let upper = volume(mesh.result().unwrap());
+        let expected = [1.0 + (height - 1.0) / 6.0, 1.0 + (height - 1.0) / 3.0];
+        assert!(expected.iter().any(|x| (x - upper).abs() < 1e-9), "{height}: {upper}");
+    }
+}
+
+/// A polygon without an area beside one that is not plane is a triangle without one, which a run
+/// refuses or leaves out as any.
+#[test]
+fn polygons_without_an_area_are_left_to_the_run() {
+    let mut solid = cuboid([0.0; 3], [1.0; 3]);
+    solid.points[7] = [1.1, 1.2, 1.3];
+    solid.points.push([0.5, 0.0, 0.0]);
+    solid.polygons.push(vec![0, 8, 1]);
+    let mut mesh = solid.mesh();
+    let split = Options { crossings: Crossings::Split, ..bounded(2.0) };
+    let error = mesh.run(&split, None).unwrap_err();
+    assert!(error.to_string().contains("facets[1] is not plane"), "{error}");
+    assert_eq!(mesh.triangulate_facets().unwrap(), 7);
+    assert_eq!(mesh.given_facets().count(), 13);
+    let error = mesh.run(&bounded(2.0), None).unwrap_err();
+    assert!(error.to_string().contains("triangles[12] has no area near"), "{error}");
+    mesh.run(&split, None).unwrap();
+    assert_holds(&mesh);
+    assert!(volume(mesh.result().unwrap()) > 1.0);
 }
 
 /// Polygons that are not plane are refused; as triangles, between the same inputs, they are not.

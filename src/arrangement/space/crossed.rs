@@ -2,7 +2,6 @@
 
 use super::boxes::{BoxTree, bounds_of};
 use super::meet::{Meeting, is_between, meet};
-use super::plane::Plane;
 use super::polygon::{Polygon, PolygonEdge};
 use super::projection::Projection;
 use crate::arrangement::poll::Poll;
@@ -11,15 +10,14 @@ use crate::memory::{AllocResult, collected};
 use crate::mesh::IntersectionKind;
 use crate::numerics::point_between;
 
-/// Returns how, and about where, edges of a polygon meet in the projection of its plane: the worst
-/// case, and of these the one of the first edges. A vertex without an edge that is on an edge
-/// touches it.
+/// Returns how, and about where, edges of a polygon meet in a projection: the worst case, and of
+/// these the one of the first edges. A vertex without an edge that is on an edge touches it.
 pub(super) fn meeting_of_edges(
     points: &[[f64; 3]],
     polygon: &Polygon,
-    plane: &Plane,
+    projection: Projection,
 ) -> Result<(IntersectionKind, [f64; 3])> {
-    let images = images(points, polygon, plane)?;
+    let images = images(points, polygon, projection)?;
     let mut worst: Option<(IntersectionKind, [u32; 2], Meeting)> = None;
     each_meeting_of_edges(&images, polygon, |pair, meeting| {
         let kind = meeting.kind([1 << 0b11; 2]);
@@ -42,14 +40,14 @@ pub(super) fn meeting_of_edges(
     Ok((IntersectionKind::Touch, points[polygon.vertices[place as usize] as usize]))
 }
 
-/// Returns the vertices of a polygon in the projection of its plane, in the plane z = 0.
+/// Returns the vertices of a polygon in a projection, in the plane z = 0.
 pub(super) fn images(
     points: &[[f64; 3]],
     polygon: &Polygon,
-    plane: &Plane,
+    projection: Projection,
 ) -> AllocResult<Vec<[f64; 3]>> {
     collected(polygon.vertices.iter().map(|&vertex| {
-        let [x, y] = plane.projection.image(&points[vertex as usize]);
+        let [x, y] = projection.image(&points[vertex as usize]);
         [x, y, 0.0]
     }))
 }

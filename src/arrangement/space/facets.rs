@@ -32,13 +32,11 @@ pub(super) fn add_surface(
     let kind =
         |&facet: &u32| (task.facets.markers[facet as usize], pieces.balances[facet as usize]);
     let kinds = numbered(of.iter().map(kind))?;
+    let given = collected(task.triangles())?;
     let pairs = match task.crossings {
         Crossings::Refuse => None,
-        Crossings::Split => Some(Pairs::new(task, &of, pieces, poll)?),
+        Crossings::Split => Some(Pairs::new(&given, &of, pieces, poll)?),
     };
-    let vertices =
-        |own: &[u32]| [own[0], own[1], own[2]].map(|at| task.inputs.vertices()[at as usize]);
-    let given = collected(task.facets.inputs.chunks_exact(3).map(vertices))?;
     let surface =
         Surface { triangles: &triangles, kinds: &kinds, origins: &of, given: &given, pairs };
     let firsts = merged(points, &surface, task.coplanar, poll)?;

@@ -9,8 +9,10 @@ use crate::options::{Crossings, Extent};
 pub(super) fn not_plane(inputs: &Inputs, facet: u32, off: &OffPlane) -> Error {
     let (input, distance) = (inputs.first_input(off.vertex as usize).unwrap_or(0), off.distance);
     Error::invalid(say!(
-        "facets[{facet}] is not plane: its input {input} is {distance} from the plane of others; \
-         split it into triangles, or allow more by ",
+        Name::Facet(facet as usize),
+        " is not plane: its input ",
+        Name::Input(input as usize),
+        " is {distance} from the plane of others; split it into triangles, or allow more by ",
         Name::Coplanar
     ))
 }
@@ -24,6 +26,25 @@ pub(super) fn no_hull_of_crossings() -> Error {
     ))
 }
 
+/// Returns the error that a polygon has no triangles that have its segments.
+pub(super) fn has_segments(facet: u32) -> Error {
+    let rule = "has segments within, which triangles would not keep";
+    Error::invalid(Message::about(Name::Facet(facet as usize), format_args!(" {rule}")))
+}
+
+/// Returns the error that a polygon that is not plane meets itself in each projection in which it
+/// could become triangles, the first of which shows the place.
+pub(super) fn meets_itself_from_everywhere(facets: &Facets, first: &Intersection) -> Error {
+    let mut message = Message::default();
+    add_feature(&mut message, facets, first.first);
+    let ([x, y, z], verb) = (first.point, verb(first.kind));
+    message.add_text(format_args!(
+        " is not plane, and {verb} itself seen along each axis, along the first near ({x:?}, \
+         {y:?}, {z:?}); a polygon must be seen as a whole along one to become triangles"
+    ));
+    Error::invalid(message)
+}
+
 /// Returns the error that facets or segments meet though they must not: because they are not split,
 /// or because doubles have no room for their crossings.
 pub(super) fn refused(
@@ -34,20 +55,18 @@ pub(super) fn refused(
 ) -> Error {
     let mut message = Message::default();
     add_feature(&mut message, facets, first.first);
-    let verb = match first.kind {
-        IntersectionKind::Cross => "cross",
-        IntersectionKind::Touch => "touch",
-        IntersectionKind::Overlap => "overlap",
-        IntersectionKind::ZeroArea => "has no area",
-    };
     match (first.kind, first.first == first.second) {
-        (IntersectionKind::ZeroArea, _) => message.add_text(format_args!(" {verb}")),
-        (IntersectionKind::Overlap, true) => message.add_text(format_args!(" {verb}s itself")),
-        (_, true) => message.add_text(format_args!(" {verb}es itself")),
-        (_, false) => {
+        (IntersectionKind::ZeroArea, _) => message.add_text(format_args!(" has no area")),
+        (kind, true) => message.add_text(format_args!(" {} itself", verb(kind))),
+        (kind, false) => {
             message.add_text(format_args!(" and "));
             add_feature(&mut message, facets, first.second);
-            message.add_text(format_args!(" {verb}"));
+            let both = match kind {
+                IntersectionKind::Overlap => "overlap",
+                IntersectionKind::Touch => "touch",
+                _ => "cross",
+            };
+            message.add_text(format_args!(" {both}"));
         }
     }
     let [x, y, z] = first.point;
@@ -80,11 +99,21 @@ pub(super) fn refused(
     Error::invalid(message)
 }
 
+/// Returns the verb for one that meets others.
+fn verb(kind: IntersectionKind) -> &'static str {
+    match kind {
+        IntersectionKind::Cross => "crosses",
+        IntersectionKind::Touch => "touches",
+        IntersectionKind::Overlap => "overlaps",
+        IntersectionKind::ZeroArea => "has no area in",
+    }
+}
+
 /// Appends the caller's name of a feature.
 fn add_feature(message: &mut Message, facets: &Facets, feature: Feature) {
     match feature {
         Feature::Facet(at) if facets.are_triangles => message.add_name(Name::Triangle(at as usize)),
-        Feature::Facet(at) => message.add_text(format_args!("facets[{at}]")),
-        Feature::Segment(at) => message.add_text(format_args!("segments[{at}]")),
+        Feature::Facet(at) => message.add_name(Name::Facet(at as usize)),
+        Feature::Segment(at) => message.add_name(Name::Segment(at as usize)),
     }
 }

@@ -243,7 +243,7 @@ impl Given<'_> {
             return Ok(Some(Vec::new()));
         }
         let Some(plane) = Plane::of(self.points, &polygon.vertices) else { return Ok(None) };
-        let tiling = polygon.tiling(self.points, &plane, &[], poll)?;
+        let tiling = polygon.tiling(self.points, plane.projection, &[], poll)?;
         Ok(tiling
             .filter(|tiling| tiling.lines.len() == tiling.lines_inside)
             .map(|all| all.triangles))

@@ -1,6 +1,5 @@
 //! Triangles of a surface that share edges, lie in one plane and are of one kind, as one facet.
 
-use super::TaskInSpace;
 use super::bends::{Hinge, ROUNDING, normal, normalized, sine_of};
 use super::pieces::Pieces;
 use super::projection::Projection;
@@ -88,20 +87,20 @@ impl<'a> Pairs<'a> {
     /// Finds the pairs of the caller's triangles, of which those in `origins` have parts. O(n log
     /// n).
     pub fn new(
-        task: &TaskInSpace<'_>,
+        given: &[[u32; 3]],
         origins: &[u32],
         pieces: &'a Pieces,
         poll: Poll<'_>,
     ) -> Result<Self> {
         let mut kept = copied(origins)?;
         kept.sort_unstable();
-        let mut is_divided = filled(task.facets.count(), false)?;
+        let mut is_divided = filled(given.len(), false)?;
         for two in kept.windows(2).filter(|two| two[0] == two[1]) {
             is_divided[two[0] as usize] = true;
         }
         kept.dedup();
         Ok(Self {
-            neighbors: neighbors_among(task, &kept, poll)?,
+            neighbors: neighbors_among(given, &kept, poll)?,
             first_borrowed: (origins.len() - pieces.borrowed.len()) as u32,
             lenders: &pieces.lenders,
             is_divided,
@@ -112,12 +111,8 @@ impl<'a> Pairs<'a> {
 /// Returns the pairs of some of the caller's triangles that run in opposite directions through an
 /// edge which no third one has, sorted: where surfaces overlap, only these are known to be
 /// neighbours. O(n log n).
-fn neighbors_among(task: &TaskInSpace<'_>, kept: &[u32], poll: Poll<'_>) -> Result<Vec<[u32; 2]>> {
-    let vertices = |&triangle: &u32| {
-        let own = &task.facets.inputs[3 * triangle as usize..][..3];
-        [own[0], own[1], own[2]].map(|input| task.inputs.vertices()[input as usize])
-    };
-    let triangles = collected(kept.iter().map(vertices))?;
+fn neighbors_among(given: &[[u32; 3]], kept: &[u32], poll: Poll<'_>) -> Result<Vec<[u32; 2]>> {
+    let triangles = collected(kept.iter().map(|&triangle| given[triangle as usize]))?;
     let mut pairs = Vec::new();
     for group in Sides::of_triangles(&triangles, poll)?.groups() {
         let &[one, other] = group else { continue };

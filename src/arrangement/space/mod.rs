@@ -21,6 +21,8 @@
 //!   leads them through the inputs, facets and segments on them.
 
 mod bends;
+#[cfg(test)]
+mod bent_tests;
 mod boxes;
 mod closed;
 mod crossed;
@@ -88,6 +90,14 @@ pub struct TaskInSpace<'a> {
     /// A box or hull has facets of its own.
     pub extent: Extent,
     pub crossings: Crossings,
+}
+
+impl TaskInSpace<'_> {
+    /// Returns the vertices of each of the caller's triangles; nothing for polygons.
+    fn triangles(&self) -> impl Iterator<Item = [u32; 3]> {
+        let own = if self.facets.are_triangles { &self.facets.inputs[..] } else { &[] };
+        own.chunks_exact(3).map(|own| [0, 1, 2].map(|at| self.inputs.vertices()[own[at] as usize]))
+    }
 }
 
 /// Returns the arrangement of facets and segments between inputs in space, and of the boundary of a

@@ -12,7 +12,7 @@ use super::projection::Projection;
 use crate::arrangement::poll::Poll;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected, with_capacity};
-use crate::mesh::{Facets, Feature, Inputs, Intersection, IntersectionKind, Segments};
+use crate::mesh::{Feature, Intersection, IntersectionKind};
 
 /// Triangle or segment between vertices, a part of a feature.
 #[derive(Clone, Copy, Debug)]
@@ -42,6 +42,8 @@ pub(super) struct Pieces {
     pub balances: Vec<Option<i64>>,
     /// Edges of polygons, in these or outside of them, that bound no facet.
     pub lines: Vec<[u32; 2]>,
+    /// First facet with an area that has some of these.
+    pub first_lined: Option<u32>,
     /// Facets that meet themselves, or have no area.
     pub faults: Vec<Intersection>,
     /// Facets that meet themselves, for their crossings to be found.
@@ -50,11 +52,13 @@ pub(super) struct Pieces {
     pub off_plane: Option<(u32, OffPlane)>,
 }
 
-/// Facet that meets itself, as a polygon in a plane.
+/// Facet that meets itself in a projection.
 pub(super) struct Untiled {
     pub polygon: Polygon,
-    pub plane: Plane,
+    pub projection: Projection,
     pub facet: u32,
+    /// True if it is not plane, and meets itself in the projections along all axes.
+    pub is_bent: bool,
     /// Number of the piece of the polygon's first edge, which those of the others follow.
     pub first_piece: u32,
 }
@@ -100,12 +104,12 @@ impl Pieces {
         isolated: &Isolated,
         poll: Poll<'_>,
     ) -> Result<Self> {
-        let TaskInSpace { inputs, facets, segments, coplanar, .. } = *task;
+        let TaskInSpace { inputs, facets, segments, .. } = *task;
         let mut pieces = Self::default();
-        let mut maker = Maker { points, coplanar, isolated, pieces: &mut pieces };
+        let mut maker = Maker { points, task, isolated, pieces: &mut pieces };
         match facets.are_triangles {
-            true => maker.add_triangles(task, poll)?,
-            false => maker.add_polygons(inputs, facets, segments, poll)?,
+            true => maker.add_triangles(poll)?,
+            false => maker.add_polygons(poll)?,
         }
         for (segment, ends) in (0u32..).zip(&segments.inputs) {
             let ends = ends.map(|end| inputs.vertices()[end as usize]);
@@ -114,6 +118,36 @@ impl Pieces {
             }
         }
         Ok(pieces)
+    }
+
+    /// Returns the first polygon that is not plane, and bent by more than the task allows. Those
+    /// that are plane are not split into triangles. O(n log n) for n inputs of the facets.
+    pub fn first_bent(
+        points: &[[f64; 3]],
+        task: &TaskInSpace<'_>,
+        poll: Poll<'_>,
+    ) -> Result<Option<u32>> {
+        let (isolated, pieces) = (&Isolated::default(), &mut Self::default());
+        let maker = Maker { points, task, isolated, pieces };
+        let polygons = maker.polygons()?;
+        let is_off = |polygon: &&Polygon| {
+            let plane = Plane::of(points, &polygon.vertices);
+            plane.is_some_and(|plane| plane.farthest(points, &polygon.vertices).is_some())
+        };
+        let mut bent = (0u32..).zip(&polygons).filter(|(_, polygon)| is_off(polygon)).peekable();
+        if bent.peek().is_none() {
+            return Ok(None);
+        }
+        let edges = maker.edges(&polygons)?;
+        for (facet, polygon) in bent {
+            poll(1)?;
+            let (adopted, all) = (edges.within(polygon)?, maker.projections(facet));
+            match maker.tiling(polygon, &all, &adopted, poll)? {
+                Some((tiling, at)) if maker.is_flat(&tiling, at, poll)? => {}
+                _ => return Ok(Some(facet)),
+            }
+        }
+        Ok(None)
     }
 
     /// Returns the edges of facets and segments, the smaller vertex first, each once; sorted.
@@ -151,15 +185,15 @@ impl Pieces {
 /// Splits polygons into pieces.
 struct Maker<'a> {
     points: &'a [[f64; 3]],
-    coplanar: f64,
+    task: &'a TaskInSpace<'a>,
     isolated: &'a Isolated,
     pieces: &'a mut Pieces,
 }
 
 impl Maker<'_> {
-    fn add_triangles(&mut self, task: &TaskInSpace<'_>, poll: Poll<'_>) -> Result<()> {
-        let TaskInSpace { inputs, facets, .. } = *task;
-        let balances = balances(task)?;
+    fn add_triangles(&mut self, poll: Poll<'_>) -> Result<()> {
+        let TaskInSpace { inputs, facets, .. } = *self.task;
+        let balances = balances(self.task)?;
         let is_kept = |facet: &u32| balances[*facet as usize].is_some();
         let vertex = |input: u32| inputs.vertices()[input as usize];
         self.pieces.all = with_capacity(facets.count())?;
@@ -191,27 +225,35 @@ impl Maker<'_> {
         Ok(())
     }
 
-    fn add_polygons(
-        &mut self,
-        inputs: &Inputs,
-        facets: &Facets,
-        segments: &Segments,
-        poll: Poll<'_>,
-    ) -> Result<()> {
-        let vertex = |input: u32| inputs.vertices()[input as usize];
-        let mut polygons = with_capacity(facets.count())?;
-        for facet in 0..facets.count() {
-            let loops = facets.loops(facet);
-            polygons.push(Polygon::new(loops, vertex, self.isolated, facet as u32)?);
-        }
-        let parts = segments.inputs.iter().flat_map(|ends| self.isolated.chain(ends.map(vertex)));
-        let edges = Edges::new(&polygons, parts)?;
+    fn add_polygons(&mut self, poll: Poll<'_>) -> Result<()> {
+        let polygons = self.polygons()?;
+        let edges = self.edges(&polygons)?;
         for (facet, polygon) in (0u32..).zip(polygons) {
             poll(1)?;
             let adopted = edges.within(&polygon)?;
             self.add_polygon(facet, polygon, &adopted, poll)?;
         }
         Ok(())
+    }
+
+    /// Returns the polygons of all facets.
+    fn polygons(&self) -> AllocResult<Vec<Polygon>> {
+        let TaskInSpace { inputs, facets, .. } = *self.task;
+        let vertex = |input: u32| inputs.vertices()[input as usize];
+        let mut polygons = with_capacity(facets.count())?;
+        for facet in 0..facets.count() {
+            let loops = facets.loops(facet);
+            polygons.push(Polygon::new(loops, vertex, self.isolated, facet as u32)?);
+        }
+        Ok(polygons)
+    }
+
+    /// Returns the edges of polygons, and of all segments.
+    fn edges(&self, polygons: &[Polygon]) -> AllocResult<Edges> {
+        let TaskInSpace { inputs, segments, .. } = *self.task;
+        let vertex = |input: u32| inputs.vertices()[input as usize];
+        let parts = segments.inputs.iter().flat_map(|ends| self.isolated.chain(ends.map(vertex)));
+        Edges::new(polygons, parts)
     }
 
     fn add_polygon(
@@ -230,24 +272,63 @@ impl Maker<'_> {
             return Ok(self.pieces.note_zero_area(feature, &first)?);
         };
         let off = plane.farthest(self.points, &polygon.vertices);
+        let is_bent = off.is_some() && !self.task.facets.are_triangles;
         let off = off.filter(|_| self.pieces.off_plane.is_none()).map(|off| (facet, off));
-        let Some(tiling) = polygon.tiling(self.points, &plane, adopted, poll)? else {
+        let all = if is_bent { self.projections(facet) } else { [plane.projection; 3] };
+        // Facets that were led through vertices are split where they meet themselves.
+        let is_given = is_bent && self.isolated.is_empty();
+        let projections = if is_given { &all[..] } else { &all[..1] };
+        let Some((tiling, at)) = self.tiling(&polygon, projections, adopted, poll)? else {
             self.pieces.off_plane = self.pieces.off_plane.or(off);
-            let (kind, point) = meeting_of_edges(self.points, &polygon, &plane)?;
+            let projection = projections[0];
+            let (kind, point) = meeting_of_edges(self.points, &polygon, projection)?;
             self.pieces.note(feature, kind, point)?;
             let first_piece = self.pieces.all.len() as u32;
             self.add_edges(&polygon, feature)?;
-            let untiled = Untiled { polygon, plane, facet, first_piece };
+            let untiled = Untiled { polygon, projection, facet, is_bent, first_piece };
             return Ok(self.pieces.untiled.try_push(untiled)?);
         };
         if tiling.triangles.is_empty() {
             let first = self.points[polygon.vertices[0] as usize];
             self.pieces.note_zero_area(feature, &first)?;
+        } else if !tiling.lines.is_empty() {
+            self.pieces.first_lined = self.pieces.first_lined.or(Some(facet));
         }
-        if off.is_some() && !are_flat(self.points, &tiling.triangles, self.coplanar, poll)? {
+        if off.is_some() && !self.is_flat(&tiling, at, poll)? {
             self.pieces.off_plane = off;
         }
         Ok(self.add_tiling(&tiling, feature)?)
+    }
+
+    /// Returns the projections of a facet along all axes, that in which it is largest first.
+    fn projections(&self, facet: u32) -> [Projection; 3] {
+        let TaskInSpace { inputs, facets, .. } = *self.task;
+        let vertex = |input: u32| inputs.vertices()[input as usize];
+        Projection::by_area(self.points, facets.loops(facet as usize), vertex)
+    }
+
+    /// Returns the triangles of a polygon in the first of some projections in which it does not
+    /// meet itself, and the position of that.
+    fn tiling(
+        &self,
+        polygon: &Polygon,
+        projections: &[Projection],
+        adopted: &[[u32; 2]],
+        poll: Poll<'_>,
+    ) -> Result<Option<(Tiling, usize)>> {
+        for (at, &projection) in projections.iter().enumerate() {
+            if let Some(tiling) = polygon.tiling(self.points, projection, adopted, poll)? {
+                return Ok(Some((tiling, at)));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Returns true if the triangles of a polygon that is not plane, in its projection with that
+    /// number, are bent by no more than the task allows. A polygon that meets itself in its first
+    /// projection is bent too far to be a facet.
+    fn is_flat(&self, tiling: &Tiling, at: usize, poll: Poll<'_>) -> Result<bool> {
+        Ok(at == 0 && are_flat(self.points, &tiling.triangles, self.task.coplanar, poll)?)
     }
 
     fn add_tiling(&mut self, tiling: &Tiling, feature: Feature) -> AllocResult<()> {

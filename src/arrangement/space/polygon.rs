@@ -3,7 +3,7 @@
 use super::isolated::Isolated;
 use super::meet::Face;
 use super::planar::Planar;
-use super::plane::Plane;
+use super::projection::Projection;
 use crate::arrangement::poll::Poll;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected, enqueue, filled, with_capacity};
@@ -143,20 +143,21 @@ impl Polygon {
         edge.ends.map(|end| self.vertices[end as usize])
     }
 
-    /// Returns the triangles of the polygon in a projection in which its plane does not vanish;
-    /// `None` if vertices have one image, or edges meet each other or a vertex between their ends.
+    /// Returns the triangles of the polygon in a projection; `None` if vertices have one image or
+    /// all of them one line, or if edges meet each other or a vertex between their ends.
     /// Edges that are `adopted` are edges of triangles, too, where they meet no edge of the
     /// polygon. The polygon is without triangles if it has no area.
     pub fn tiling(
         &self,
         points: &[[f64; 3]],
-        plane: &Plane,
+        projection: Projection,
         adopted: &[[u32; 2]],
         poll: Poll<'_>,
     ) -> Result<Option<Tiling>> {
-        let image = |&vertex: &u32| plane.projection.image(&points[vertex as usize]);
+        let image = |&vertex: &u32| projection.image(&points[vertex as usize]);
         let images = collected(self.vertices.iter().map(image))?;
-        let Some(mut planar) = Planar::new(images, poll)? else { return Ok(None) };
+        let planar = Planar::new(images, poll)?.filter(|planar| !planar.triangles.is_empty());
+        let Some(mut planar) = planar else { return Ok(None) };
         for edge in &self.edges {
             if !planar.fix(edge.ends, poll)? {
                 return Ok(None);

@@ -26,6 +26,39 @@ impl Projection {
         all.into_iter().find(|projection| !projection.turn(corners).is_zero())
     }
 
+    /// Returns the projections along all axes, sorted by the area of the largest of some loops in
+    /// them, but for roundings: the one with the largest area first.
+    pub fn by_area<'a>(
+        points: &[[f64; 3]],
+        loops: impl Iterator<Item = &'a [u32]> + Clone,
+        vertex: impl Fn(u32) -> u32,
+    ) -> [Self; 3] {
+        let point = |&input: &u32| &points[vertex(input) as usize];
+        let of_all = || loops.clone().flatten().map(point);
+        let origin = of_all().next().unwrap_or(&[0.0; 3]);
+        let way =
+            |x: &[f64; 3]| -> [f64; 3] { std::array::from_fn(|k| 0.5 * x[k] - 0.5 * origin[k]) };
+        let longest = of_all().flat_map(&way).fold(0.0f64, |longest, x| longest.max(x.abs()));
+        let mut largest = [0.0; 3];
+        for own in loops.clone() {
+            let mut area = [0.0; 3];
+            for (from, to) in own.iter().zip(own.iter().cycle().skip(1)) {
+                let [u, v] = [from, to].map(|end| way(point(end)).map(|x| x / longest));
+                let part = cross(&u, &v);
+                area = std::array::from_fn(|k| area[k] + part[k]);
+            }
+            if norm(&area) > norm(&largest) {
+                largest = area;
+            }
+        }
+        let mut all = Self::ALL;
+        all.sort_unstable_by(|a, b| {
+            let by_size = largest[b.axis].abs().total_cmp(&largest[a.axis].abs());
+            by_size.then(a.axis.cmp(&b.axis))
+        });
+        all
+    }
+
     /// Returns the image of a point.
     #[inline]
     pub fn image(self, x: &[f64; 3]) -> [f64; 2] {

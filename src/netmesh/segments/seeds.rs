@@ -3,17 +3,16 @@
 //! leave the mesh as if it had not been given.
 
 use crate::complex::{SimplexId, VertexId};
-use crate::error::{Choice, Error, ErrorKind, Message, Name, Result, message, say};
+use crate::error::{Choice, Error, ErrorKind, Message, Name, Result, say};
 use crate::memory::{TryGrow, filled, with_capacity};
 use crate::mesh::{NONE, Region};
 use crate::netmesh::state::segments::regions::OUTSIDE;
 use crate::netmesh::state::segments::walls::Walls;
-use crate::netmesh::state::segments::{At, Seed, name_of};
+use crate::netmesh::state::segments::{At, Seed};
 use crate::netmesh::state::{Mesher, State};
 use crate::numerics::{Sign, orientation};
 use crate::options::{Extent, Labels};
 use crate::parameters::Parameters;
-use std::borrow::Cow;
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Finds which regions belong to the domain, and what their seeds say of them. All regions are
@@ -167,14 +166,21 @@ impl<const D: usize> State<D> {
 
     /// Refuses a seed on a segment, which is in no region. `simplex` holds it.
     fn refuse_on_segment(&self, number: u32, x: &[f64; D], simplex: SimplexId) -> Result<()> {
-        let name = match self.as_space() {
+        let wall = match self.as_space() {
             Some(state) => state.facet_under(&std::array::from_fn(|axis| x[axis]), simplex),
             None => self
                 .line_under(x, simplex)
-                .map(|line| name_of(self.segments.chains.lines[line as usize].segment)),
+                .map(|line| self.segments.chains.lines[line as usize].segment),
         };
-        let Some(name) = name else { return Ok(()) };
-        refuse(say!(Name::Seed(number), " is on {name}; it must be in the interior of a region"))
+        let name = |wall: u32| {
+            if D == 3 { Name::Facet(wall as usize) } else { Name::Segment(wall as usize) }
+        };
+        let (seed, must) = (Name::Seed(number), "it must be in the interior of a region");
+        match wall {
+            None => Ok(()),
+            Some(NONE) => refuse(say!(seed, " is on the boundary of the hull or box; {must}")),
+            Some(wall) => refuse(say!(seed, " is on ", name(wall), "; {must}")),
+        }
     }
 
     /// Returns the line that a point of the closure of `simplex` is on. At a vertex of a line it
@@ -198,8 +204,9 @@ impl<const D: usize> State<D> {
 }
 
 impl State<3> {
-    /// Returns the name of a facet that a point of the closure of `simplex` is on.
-    fn facet_under(&self, x: &[f64; 3], simplex: SimplexId) -> Option<Cow<'static, str>> {
+    /// Returns the caller's facet that a point of the closure of `simplex` is on; [`NONE`] for a
+    /// side of the hull or box.
+    fn facet_under(&self, x: &[f64; 3], simplex: SimplexId) -> Option<u32> {
         let vertices = self.delaunay.complex().vertices(simplex);
         let walls = Walls { chains: &self.segments.chains, facets: &self.facets };
         let is_on = |index: usize| {
@@ -211,7 +218,7 @@ impl State<3> {
         let mut faces = walls.subfacets_of(vertices).into_iter().enumerate();
         let face = faces.find_map(|(index, seen)| seen.filter(|_| is_on(index)));
         let facet = face.map(|(subfacet, _)| self.facets.get(subfacet).facet);
-        facet.map(|facet| message!("facets[{}]", self.facets.facets[facet as usize].parent).into())
+        facet.map(|facet| self.facets.facets[facet as usize].parent)
     }
 }
 

@@ -129,8 +129,8 @@ impl Corners {
         owners: &Owners,
         pairs: &mut u32,
     ) -> Result<()> {
-        let Untiled { polygon, plane, facet, first_piece } = untiled;
-        let images = images(points, polygon, plane)?;
+        let Untiled { polygon, projection, facet, first_piece, .. } = untiled;
+        let images = images(points, polygon, *projection)?;
         each_meeting_of_edges(&images, polygon, |edges, meeting| {
             let ends = edges.map(|edge| polygon.edges[edge as usize].ends);
             for &faces in meeting.corners() {

@@ -14,10 +14,7 @@ pub(super) fn needles(
     on: &Isolated,
 ) -> AllocResult<Vec<([u32; 2], u32)>> {
     let mut found = Vec::new();
-    let triangles = if task.facets.are_triangles { &task.facets.inputs[..] } else { &[] };
-    for own in triangles.chunks_exact(3) {
-        let [a, b, c] =
-            [own[0], own[1], own[2]].map(|input| task.inputs.vertices()[input as usize]);
+    for [a, b, c] in task.triangles() {
         for ([from, to], corner) in [([a, b], c), ([b, c], a), ([c, a], b)] {
             let edge = [from.min(to), from.max(to)];
             let reach = Reach::of(edge.map(|end| &points[end as usize]));

@@ -174,6 +174,34 @@ fn a_browser_shows_regions_of_the_plane_and_cuts_them() {
 }
 
 #[test]
+fn a_click_tells_the_cell_under_it() {
+    let Some(browser) = browser() else { return };
+    let bench = bench_with("browser_click");
+    bench.run("plane.poly --min-angle 25 --max-edge 0.2 -q -o plane.html").assert_success();
+    // The mesh is as wide as the picture, but for a margin of a twentieth.
+    let click = "<script>setTimeout(() => { const { clientWidth: x, clientHeight: y } = \
+                 viewer.picture.canvas; viewer.pick(0.3 * x, 0.5 * y - 0.05 * x); }, 500)</script>\
+                 </body>";
+    bench.write("click.html", &bench.read("plane.html").replace("</body>", click));
+    let page = open(browser, &bench, "click.html", "--dump-dom");
+    let (_, told) = page.split_once("<p id=\"picked\">").expect("a paragraph");
+    let told = told.split_once("</p>").expect("its end").0;
+    assert!(told.starts_with("Cell ") && told.contains("\nregion: 3\n"), "{told}");
+    let corner = |line: &str| {
+        let (_, place) = line.split_once(" at (")?;
+        let (x, y) = place.strip_suffix(')')?.split_once(", ")?;
+        Some([x.parse::<f64>().ok()?, y.parse::<f64>().ok()?])
+    };
+    let corners: Vec<[f64; 2]> = told.lines().filter_map(corner).collect();
+    let place = [1.0 - 0.4 * 1.05, 0.5 + 0.1 * 1.05];
+    let turns = (0..3).map(|from| {
+        let [a, b] = [corners[from], corners[(from + 1) % 3]];
+        (b[0] - a[0]) * (place[1] - a[1]) - (b[1] - a[1]) * (place[0] - a[0])
+    });
+    assert!(corners.len() == 3 && turns.into_iter().all(|turn| turn > -1e-3), "{told}");
+}
+
+#[test]
 fn a_browser_shows_qualities_and_attributes_in_the_colours_of_the_legend() {
     let Some(browser) = browser() else { return };
     let bench = bench_with("browser_scale");

@@ -19,6 +19,7 @@ function parsedColour(text) {
 
 /** Returns a number with four digits. */
 function figure(value) {
+  if (Number.isNaN(value)) return "none";
   if (!Number.isFinite(value)) return String(value).replace("Infinity", "∞");
   return String(Number(value.toPrecision(4)));
 }
@@ -29,7 +30,7 @@ function colourings(mesh) {
     ...measure,
     place: (value) => (value - measure.bad) / (measure.good - measure.bad),
     value: (place) => measure.bad + place * (measure.good - measure.bad),
-    told: (value) => figure(value) + measure.unit,
+    told: (value) => figure(value) + (Number.isNaN(value) ? "" : measure.unit),
   }));
   const labels = mesh.labels.map((labels) => {
     const colours = new Map();

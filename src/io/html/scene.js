@@ -247,7 +247,7 @@ class Picture {
       if (turned === 0) continue;
       const depth = a.dot(normal) / turned;
       across.crossVectors(a, way);
-      const [u, v] = [-c.dot(across) / turned, b.dot(across) / turned];
+      const [u, v] = [c.dot(across) / turned, -b.dot(across) / turned];
       if (depth < 0 || depth >= nearest || !isInside(u, v)) continue;
       [found, nearest] = [face, depth];
     }

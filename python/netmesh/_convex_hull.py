@@ -64,6 +64,9 @@ class ConvexHull:
         self._delaunay = Delaunay(points, False, incremental, qhull_options)
         self._make()
 
+    def __repr__(self) -> str:
+        return f"<netmesh.ConvexHull: dim {self.ndim}, {self.npoints} points, {self.nsimplex} facets>"
+
     def _make(self) -> None:
         tri = self._delaunay
         self.points = tri.points

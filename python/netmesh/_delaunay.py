@@ -101,6 +101,9 @@ class Delaunay:
         self._is_open = incremental
         self._triangulate(point_rows(points))
 
+    def __repr__(self) -> str:
+        return f"<netmesh.Delaunay: dim {self.ndim}, {self.npoints} points, {self.nsimplex} simplices>"
+
     def _triangulate(self, points: np.ndarray) -> None:
         self.mesh = Mesh._run(points, {"algorithm": "delaunay"})
         # The caller may change the array that was given.

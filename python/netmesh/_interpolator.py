@@ -77,6 +77,10 @@ class SimplexInterpolator:
             out[outside] = self.values[self._nearest_points(rows[outside])]
         return out.reshape(xi.shape[:-1] + self.values_shape)
 
+    def __repr__(self) -> str:
+        count, dim = self.points.shape
+        return f"<netmesh.{type(self).__name__}: dim {dim}, {count} points>"
+
     def _inside(self, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the columns of values, and the numbers of the rows that are outside."""
         raise NotImplementedError

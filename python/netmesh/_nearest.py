@@ -98,6 +98,10 @@ class NearestNDInterpolator:
         out[~(distances < bound)] = np.nan
         return out.reshape(xi.shape[:-1] + self.values.shape[1:])
 
+    def __repr__(self) -> str:
+        count, dim = self.points.shape
+        return f"<netmesh.NearestNDInterpolator: dim {dim}, {count} points>"
+
     def _options(self, given: dict) -> tuple[float, int]:
         for name in given:
             if name not in _QUERY_OPTIONS:

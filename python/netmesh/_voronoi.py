@@ -63,6 +63,9 @@ class Voronoi:
         self.furthest_site = False
         self._make()
 
+    def __repr__(self) -> str:
+        return f"<netmesh.Voronoi: dim {self.points.shape[1]}, {len(self.points)} points>"
+
     def _make(self) -> None:
         tri = self._delaunay
         self.points = tri.points

@@ -117,3 +117,13 @@ def test_what_is_not_finite_is_outside(random):
     x = np.full((2, 3, 2), 0.5)
     x[0, 1, 0], x[1, 2, 1] = np.nan, np.inf
     assert ((tri.find_simplex(x) == -1) == [[False, True, False], [False, False, True]]).all()
+
+
+def test_classes_of_scipys_names_tell_what_they_hold():
+    points = np.array([[0, 0], [1, 0], [0, 1], [1, 2.0]])
+    assert repr(netmesh.Delaunay(points)) == "<netmesh.Delaunay: dim 2, 4 points, 2 simplices>"
+    assert repr(netmesh.Voronoi(points)) == "<netmesh.Voronoi: dim 2, 4 points>"
+    assert repr(netmesh.ConvexHull(points)) == "<netmesh.ConvexHull: dim 2, 4 points, 4 facets>"
+    for name in ("LinearNDInterpolator", "NearestNDInterpolator", "CloughTocher2DInterpolator"):
+        made = getattr(netmesh, name)(points, points[:, 0])
+        assert repr(made) == f"<netmesh.{name}: dim 2, 4 points>"

@@ -345,16 +345,30 @@ mod tests {
         let mesh = samples::square();
         let mut visited = Vec::new();
         let outline = Outline::new(mesh.triangulation().unwrap()).unwrap();
-        outline.visit(|vertex, is_first| Ok(visited.push((vertex, is_first)))).unwrap();
+        let visit = |vertex, is_first| {
+            visited.push((vertex, is_first));
+            Ok(())
+        };
+        outline.visit(visit).unwrap();
         assert_eq!(visited, [(0, true), (1, false), (2, false), (3, false)]);
+    }
+
+    /// Returns the sentences, each on a line of its own.
+    fn text_of(facts: &Facts<'_>) -> String {
+        let mut text = String::new();
+        let visit = |line: fmt::Arguments<'_>| {
+            text += &format!("{line}\n");
+            Ok(())
+        };
+        facts.visit(visit).unwrap();
+        text
     }
 
     #[test]
     fn the_facts_are_those_of_the_mesh() {
         let mesh = samples::finished(2);
         let facts = Facts::new(mesh.triangulation().unwrap()).unwrap();
-        let mut text = String::new();
-        facts.visit(|line| Ok(text += &format!("{line}\n"))).unwrap();
+        let text = text_of(&facts);
         let cells = mesh.triangulation().unwrap().simplex_count();
         assert!(text.contains(&format!("{} triangles\n", grouped(cells))), "{text}");
         assert!(text.contains("Bound: Voronoi aspect "), "{text}");
@@ -365,15 +379,12 @@ mod tests {
         let facts = Facts::new(square.triangulation().unwrap()).unwrap();
         assert!((facts.least_angle - 45.0).abs() < 1e-12);
         assert_eq!(facts.regions, [-8, 7]);
-        let mut text = String::new();
-        facts.visit(|line| Ok(text += &format!("{line}\n"))).unwrap();
+        let text = text_of(&facts);
         let expected = "4 vertices: 2 inputs, 1 Steiner, 1 of cages\n2 triangles in 2 regions\n";
         assert!(text.starts_with(expected), "{text}");
         let mut plain = crate::Mesh::new(2, 3, &[0., 0., 1., 0., 0., 1.], 0).unwrap();
         plain.run(&samples::delaunay(), None).unwrap();
-        let mut text = String::new();
-        let facts = Facts::new(plain.triangulation().unwrap()).unwrap();
-        facts.visit(|line| Ok(text += &format!("{line}\n"))).unwrap();
+        let text = text_of(&Facts::new(plain.triangulation().unwrap()).unwrap());
         let expected = "3 vertices: 3 inputs, 0 Steiner\n1 triangles\n\
                         Delaunay triangulation of the inputs, without a bound\n";
         assert!(text.starts_with(expected), "{text}");

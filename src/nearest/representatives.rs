@@ -13,9 +13,9 @@ use crate::numerics::{coordinates, distance};
 /// are rounded to doubles. O(n log n) for a `cutoff` within which there are few points.
 ///
 /// # Errors
-/// `Dimension` (below 2 or above 8), `InvalidArgument` (a length, a `cutoff` that is negative or not
-/// finite), `NonFinite` (names point and coordinate), `Capacity` (more points than ids), `Cancelled`
-/// (by `stop`), `OutOfMemory`.
+/// `Dimension` (below 2 or above 8), `InvalidArgument` (a length, a `cutoff` that is negative or
+/// not finite), `NonFinite` (names point and coordinate), `Capacity` (more points than ids),
+/// `Cancelled` (by `stop`), `OutOfMemory`.
 pub fn representatives(
     dim: usize,
     points: &[f64],

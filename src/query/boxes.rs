@@ -52,8 +52,8 @@ impl Bounds {
         }
     }
 
-    /// Returns false if in no simplex of these all coordinates of `q` can be at least -`tolerance`: it
-    /// is then farther from the box than the tolerance lets simplices grow, `dim` times the
+    /// Returns false if in no simplex of these all coordinates of `q` can be at least -`tolerance`:
+    /// it is then farther from the box than the tolerance lets simplices grow, `dim` times the
     /// tolerance of their extent.
     fn may_hold<const D: usize>(&self, q: &[f64; D], tolerance: f64) -> bool {
         // The coordinates are rounded, too.
@@ -86,13 +86,13 @@ impl SimplexBoxes {
 
     /// Finds simplices for those of the points (`count x dim`) that have none: the one in which the
     /// barycentric coordinates leave the range from 0 to 1 the least, by at most `tolerance`; the
-    /// least id of equal ones. Sets `simplices` and `weights`, which have what [`Index::weigh`](super::Index::weigh)
-    /// has written, where there is one.
+    /// least id of equal ones. Sets `simplices` and `weights`, which have what
+    /// [`Index::weigh`](super::Index::weigh) has written, where there is one.
     ///
     /// # Errors
-    /// `InvalidArgument` (a length, a mesh other than that of the tree, a tolerance that is negative
-    /// or not finite), `NonFinite` (names the point), `Cancelled` (by what stops the work),
-    /// `OutOfMemory`.
+    /// `InvalidArgument` (a length, a mesh other than that of the tree, a tolerance that is
+    /// negative or not finite), `NonFinite` (names the point), `Cancelled` (by what stops the
+    /// work), `OutOfMemory`.
     pub fn weigh_within<'a>(
         &self,
         mesh: &Triangulation,
@@ -142,8 +142,8 @@ fn build<const D: usize>(mesh: &Triangulation) -> AllocResult<SimplexBoxes> {
     Ok(SimplexBoxes { dim: D, order, nodes })
 }
 
-/// Divides the simplices of a node with so many leaves below it among these, near ones together, and
-/// sets its bounds and those below.
+/// Divides the simplices of a node with so many leaves below it among these, near ones together,
+/// and sets its bounds and those below.
 fn sort_node<const D: usize>(
     view: View<'_, D>,
     node: usize,
@@ -284,8 +284,8 @@ mod tests {
                 .iter()
                 .fold((0.0f64, 1.0f64), |(low, high), &weight| (low.min(weight), high.max(weight)));
             let excess = (-low).max(high - 1.0);
-            // The weights in a simplex that is flat for doubles need not combine its vertices to the
-            // point.
+            // The weights in a simplex that is flat for doubles need not combine its vertices to
+            // the point.
             let is_sound = weights[..=D].iter().all(|weight| weight.is_finite())
                 && Bounds::of_simplex(view, simplex).may_hold(q, tolerance);
             if is_sound && (excess < best.0 || (excess == best.0 && best.1 == NONE)) {

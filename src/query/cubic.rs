@@ -3,11 +3,11 @@
 //! plates in bending", 1965), by its Bézier ordinates (G. Farin, "Triangular Bernstein-Bézier
 //! patches", 1986).
 //!
-//! Values and gradients at the vertices leave one ordinate an edge to choose. It is the one for which
-//! the derivative across the edge is linear along it, in a direction that both triangles at the edge
-//! agree on and that affine maps take along: from the one apex to the other. At the boundary it is
-//! the direction from the middle of the edge to the centroid (P. Alfeld, "A trivariate Clough-Tocher
-//! scheme for tetrahedral data", 1984).
+//! Values and gradients at the vertices leave one ordinate an edge to choose. It is the one for
+//! which the derivative across the edge is linear along it, in a direction that both triangles at
+//! the edge agree on and that affine maps take along: from the one apex to the other. At the
+//! boundary it is the direction from the middle of the edge to the centroid (P. Alfeld, "A
+//! trivariate Clough-Tocher scheme for tetrahedral data", 1984).
 
 use super::barycentric::coordinates_in;
 use super::interpolate::Values;
@@ -165,8 +165,8 @@ impl Net {
             std::array::from_fn(|i| [ordinate(i, (i + 1) % 3), ordinate(i, (i + 2) % 3)]);
         let inward: [f64; 3] =
             std::array::from_fn(|i| (values[i] + along[i][0] + along[i][1]) / 3.0);
-        // The derivative in the direction a V_i + b V_j + S has the ordinates that follow at V_i, in
-        // the middle and at V_j; the one in the middle must be the mean of the others.
+        // The derivative in the direction a V_i + b V_j + S has the ordinates that follow at V_i,
+        // in the middle and at V_j; the one in the middle must be the mean of the others.
         let middle: [f64; 3] = std::array::from_fn(|k| {
             let ([i, j], [a, b]) = ([(k + 1) % 3, (k + 2) % 3], directions[k]);
             let (after_i, before_j) = (along[i][0], along[j][1]);

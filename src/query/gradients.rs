@@ -1,5 +1,5 @@
-//! Gradients at the vertices of a triangulation of the plane, estimated from the values there: those
-//! for which cubic curves along the edges bend the least in all (G. M. Nielson, "A method for
+//! Gradients at the vertices of a triangulation of the plane, estimated from the values there:
+//! those for which cubic curves along the edges bend the least in all (G. M. Nielson, "A method for
 //! interpolating scattered data based upon a minimum norm network", 1983; R. J. Renka, A. K. Cline,
 //! "A triangle-based C1 interpolation method", 1984).
 //!
@@ -7,8 +7,8 @@
 //! values f, f' and the derivatives d, d' in the direction e of the edge (which is L long), is
 //! (12 (f' - f)^2 - 12 (f' - f) (d + d') + 4 (d^2 + d d' + d'^2)) / L^3. As a function of the
 //! gradient g at one end, d = e.g, the sum over the edges there is least where the sum of
-//! e (2 e.g - 3 (f' - f) + d') / L^3 vanishes. Vertices take their gradients from this in turn, until
-//! these change no more.
+//! e (2 e.g - 3 (f' - f) + d') / L^3 vanishes. Vertices take their gradients from this in turn,
+//! until these change no more.
 
 use super::interpolate::Values;
 use super::threads::Work;
@@ -48,8 +48,8 @@ struct Edges {
 /// gradients had converged.
 ///
 /// # Errors
-/// `InvalidArgument` (a length, an id out of range, a tolerance that is negative or NaN), `NonFinite`
-/// (a coordinate), `Cancelled` (by what stops the work), `OutOfMemory`.
+/// `InvalidArgument` (a length, an id out of range, a tolerance that is negative or NaN),
+/// `NonFinite` (a coordinate), `Cancelled` (by what stops the work), `OutOfMemory`.
 pub fn estimate_gradients<'a>(
     triangles: Triangles<'_>,
     values: Values<'_>,
@@ -223,8 +223,8 @@ mod tests {
         (points, simplices, neighbors)
     }
 
-    /// Returns the integral of the squared second derivatives along all edges, by Simpson's rule, which is
-    /// exact for it.
+    /// Returns the integral of the squared second derivatives along all edges, by Simpson's rule,
+    /// which is exact for it.
     fn bending(triangles: Triangles<'_>, values: &[f64], gradients: &[f64]) -> f64 {
         let mut sum = 0.0;
         each_edge(triangles, |a, b| {

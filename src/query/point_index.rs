@@ -14,7 +14,8 @@ pub struct PointIndex {
 }
 
 impl PointIndex {
-    /// Builds the index of points (`count x dim`), of which several may be equal. O(count log count).
+    /// Builds the index of points (`count x dim`), of which several may be equal. O(count log
+    /// count).
     ///
     /// # Errors
     /// `Dimension` (below 2 or above 8), `InvalidArgument` (a length, or no points), `NonFinite`

@@ -13,8 +13,8 @@ use crate::numerics::coordinates;
 
 impl Index {
     /// Writes for each of the points (`count x dim`) the simplex that [`Index::locate`] finds, and
-    /// the barycentric coordinates in it (`count x (dim + 1)`), NaN outside. Vertices that the point
-    /// does not lie between have weight zero, exactly.
+    /// the barycentric coordinates in it (`count x (dim + 1)`), NaN outside. Vertices that the
+    /// point does not lie between have weight zero, exactly.
     ///
     /// # Errors
     /// Fails as [`Index::locate`] does.

@@ -16,7 +16,7 @@ ENERGY = 0.2140758036
 
 def solve(mesh):
     """Return the solution at the vertices, and the square of its energy norm."""
-    basis = skfem.Basis(skfem.MeshTri(mesh.points.T.copy(), mesh.simplices.T.copy()), skfem.ElementTriP1())
+    basis = skfem.Basis(mesh.to_skfem(), skfem.ElementTriP1())
     stiffness, load = laplace.assemble(basis), unit_load.assemble(basis)
     boundary = np.unique(mesh.hull.vertices)
     u = skfem.solve(*skfem.condense(stiffness, load, D=boundary))

@@ -15,7 +15,7 @@ def main(max_edge=0.05, steps=40, end=0.05):
     """Return the largest difference from the solution in closed form, relative to its largest value."""
     square = netmesh.domain([(0, 0), (1, 0), (1, 1), (0, 1)])
     mesh = netmesh.mesh(square, min_angle=28, max_edge=max_edge)
-    basis = skfem.Basis(skfem.MeshTri(mesh.points.T.copy(), mesh.simplices.T.copy()), skfem.ElementTriP1())
+    basis = skfem.Basis(mesh.to_skfem(), skfem.ElementTriP1())
     # [steps]
     stiffness, weights, dt = laplace.assemble(basis), mass.assemble(basis), end / steps
     inside = np.setdiff1d(np.arange(len(mesh.points)), mesh.hull.vertices)  # the boundary stays cold

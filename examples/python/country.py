@@ -24,7 +24,7 @@ def main(picture=None):
 
     mesh = netmesh.mesh(country, min_angle=28, max_edge=12)
 
-    basis = skfem.Basis(skfem.MeshTri(mesh.points.T, mesh.simplices.T), skfem.ElementTriP1())
+    basis = skfem.Basis(mesh.to_skfem(), skfem.ElementTriP1())
     stiffness, load = laplace.assemble(basis), unit_load.assemble(basis)
     coast = np.unique(mesh.hull.vertices)
     u = skfem.solve(*skfem.condense(stiffness, load, D=coast))

@@ -100,3 +100,20 @@ def test_a_field_on_a_mesh_with_a_ring():
     assert found["vertices of the ring alone"] < 0.3 * found["vertices"]
     # Noise has a deviation of 0.1.
     assert found["root of the mean squared error"] < 0.1
+
+
+def test_rings_of_points_become_polygons_with_holes():
+    polygons = example("alpha_polygons", "shapely").main()
+    rings = [polygon for polygon in polygons if len(polygon.interiors) == 1]
+    # Rings from 0.7 to 1, less what the balls take of their sides.
+    assert len(polygons) == 3 and len(rings) == 2
+    assert all(0.9 * 0.51 * np.pi < ring.area < 0.51 * np.pi for ring in rings)
+    assert {round(ring.centroid.x) for ring in rings} == {0, 3}
+
+
+def test_a_box_of_points_has_the_solution_of_the_cube():
+    mesh, largest = example("box", "skfem").main()
+    assert mesh.volumes.sum() == pytest.approx(1, rel=1e-12)
+    # 0.05621 by the series of the cube; linear elements stay below.
+    assert 0.0550 < largest < 0.0563
+    assert mesh.quality().below_min_dihedral == 0

@@ -164,12 +164,12 @@ mod tests {
 
     #[test]
     fn unknown_values_name_the_field_and_the_value() {
-        for value in [-1, 18, i32::MIN, i32::MAX] {
+        for value in [-1, 20, i32::MIN, i32::MAX] {
             let error = decode_format(from_c(value)).unwrap_err();
             assert_eq!(error.kind(), ErrorKind::InvalidArgument);
             assert_eq!(
                 error.message(),
-                format!("format is {value}; it must be one of nm_format, 0 to 17")
+                format!("format is {value}; it must be one of nm_format, 0 to 19")
             );
         }
     }

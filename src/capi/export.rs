@@ -286,9 +286,9 @@ mod tests {
             assert_eq!(last_message(), "path_utf8 is NULL");
             let null_mesh = nm_export(null(), c"mesh.vtu".as_ptr(), vtu());
             assert_eq!(null_mesh, nm_status::NM_NULL_ARGUMENT);
-            let format = nm_export(&mesh, c"mesh.vtu".as_ptr(), from_c(18));
+            let format = nm_export(&mesh, c"mesh.vtu".as_ptr(), from_c(20));
             assert_eq!(format, nm_status::NM_INVALID_ARGUMENT);
-            assert!(last_message().starts_with("format is 18;"));
+            assert!(last_message().starts_with("format is 20;"));
             let null_write = nm_export_write(&mesh, vtu(), None, null_mut());
             assert_eq!(null_write, nm_status::NM_NULL_ARGUMENT);
             assert_eq!(last_message(), "write is NULL");

@@ -162,6 +162,15 @@ def data(values: Any, count: int, things: str, name: str) -> np.ndarray:
     return given
 
 
+def copied(thing: Any) -> Any:
+    """Return dicts, tuples and lists of arrays with copies of these; other things as they are."""
+    if isinstance(thing, np.ndarray):
+        return thing.copy()
+    if isinstance(thing, dict):
+        return {key: copied(value) for key, value in thing.items()}
+    return type(thing)(map(copied, thing)) if type(thing) in (tuple, list) else thing
+
+
 def fixed(made: np.ndarray) -> np.ndarray:
     """Return the array read-only for good: not even its owner can be made writable."""
     base: Any = made

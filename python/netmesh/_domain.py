@@ -10,7 +10,8 @@ from typing import Any, Optional
 import numpy as np
 
 from . import _outlines, _surfaces
-from ._errors import InvalidArgumentError
+from ._arrays import doubles
+from ._errors import ArgumentTypeError, InvalidArgumentError
 from ._reading import content_of_file
 
 #: Kinds of things that a domain is made of, in messages.
@@ -61,7 +62,8 @@ class Domain:
             things = getattr(self, name)
             if things is not None and len(things):
                 counts.append(f"{len(things)} {name if len(things) > 1 else name[:-1]}")
-        return f"<netmesh.Domain: dim {self.points.shape[1]}, {', '.join(counts)}>"
+        dim = doubles(self.points, "points").shape[-1]
+        return f"<netmesh.Domain: dim {dim}, {', '.join(counts)}>"
 
     def _joined(self, regions: Any = None, holes: Any = None) -> Domain:
         """Return the domain with further regions and holes."""
@@ -94,8 +96,8 @@ def domain(x: Any, *, markers: Optional[str] = None) -> Domain:
         - a surface in space with ``vertices`` and ``faces``, such as a mesh of trimesh;
         - a PyVista ``PolyData``, of which polygons become facets and lines segments;
         - a meshio ``Mesh``, of which triangles, quadrilaterals and polygons become facets and lines
-          segments; if all its points have the third coordinate 0 and it has lines alone, it is in
-          the plane;
+          segments; if its points have no third coordinate, or all have 0, it is in the plane, where
+          lines are all that is kept;
         - a path to a file of any format that the command line reads.
     markers : str, optional
         The name of the data that has the markers: a column of a GeoDataFrame or a property of the
@@ -130,6 +132,9 @@ def domain(x: Any, *, markers: Optional[str] = None) -> Domain:
     >>> netmesh.domain({"type": "LineString", "coordinates": [[0, 0], [1, 0], [1, 1]]})
     <netmesh.Domain: dim 2, 3 points, 2 segments>
     """
+    if markers is not None and not isinstance(markers, str):
+        rule = "it must be the name of the data that has them"
+        raise ArgumentTypeError(f"markers is of type {type(markers).__name__}; {rule}")
     if isinstance(x, Domain):
         return x
     return Domain(**_fields(x, markers))
@@ -148,6 +153,8 @@ def _fields(x: Any, markers: Optional[str]) -> dict[str, Any]:
         if is_one(x):
             return fields_of(x, markers)
     if isinstance(x, (collections.abc.Sequence, np.ndarray)) and not isinstance(x, bytes):
+        if len(x) and all(hasattr(one, "__geo_interface__") for one in x):
+            return _outlines.of_features(_outlines.collection(x), markers)
         _outlines.require_no_name(markers, "rings, whose segments have their numbers")
         return _outlines.of_rings(x)
     raise InvalidArgumentError(f"x is of type {type(x).__name__}; it must be {_KINDS}")

@@ -10,7 +10,7 @@ import numpy as np
 from . import _plots, _skfem, _views
 from ._arrays import array, data, doubles, vertex_columns
 from ._derived import Arrays
-from ._errors import InvalidArgumentError
+from ._errors import ArgumentTypeError, InvalidArgumentError
 from ._netmesh import Core
 from ._plots import Colors
 
@@ -56,10 +56,7 @@ class Exports(Arrays):
         ...     sorted(os.listdir(folder))
         ['mesh.vtu', 'part.vtu']
         """
-        columns = [
-            (name, self._columns(values, f"attribute {name}"))
-            for name, values in (attributes or {}).items()
-        ]
+        columns = list(_views.checked(attributes, self._columns, "attributes").items())
         self._own.export(path, format, columns)
 
     def to_meshio(self, point_data: Any = None, cell_data: Any = None) -> Any:
@@ -195,12 +192,16 @@ class Exports(Arrays):
         3
         """
         _views.require_dimension(self._own)
+        _views.require_simplices(self._own)
         if hasattr(values, "triplot"):
             # Axes may come first.
             values, ax = None, values if ax is None else ax
         colors = self._colors(values, regions, by)
         dim = self._own.points.shape[1]
-        _plots.refuse_others(dim, ax=ax, plotter=plotter, off_screen=off_screen)
+        cut = None if isinstance(clip, str) and clip == "x" else clip
+        _plots.refuse_others(dim, ax=ax, plotter=plotter, off_screen=off_screen, clip=cut)
+        if ax is not None and not hasattr(ax, "triplot"):
+            raise ArgumentTypeError(f"ax is of type {type(ax).__name__}; it must be axes of Matplotlib")
         if dim == 2:
             return _plots.plot_plane(self._own, colors, ax, arguments)
         return _plots.plot_space(self._own, colors, plotter, clip, off_screen, arguments)
@@ -221,12 +222,12 @@ class Exports(Arrays):
 
     def _given_colors(self, values: Any) -> Colors:
         given = doubles(values, "values")
-        vertices = {len(self._core.kinds), len(self._own.kinds)}
-        simplices = {len(self._core.simplices), len(self._own.simplices)}
-        if given.ndim == 1 and len(given) in vertices:
-            return Colors("vertices", self._of_vertices(given, "values"), "values")
-        if given.ndim == 1 and len(given) in simplices:
-            return Colors("simplices", self._of_simplices(given, "values"), "values")
+        # What is shown comes first, then the mesh that it is a part of.
+        for core in (self._own, self._core):
+            if given.ndim == 1 and len(given) == len(core.kinds):
+                return Colors("vertices", self._of_vertices(given, "values"), "values")
+            if given.ndim == 1 and len(given) == len(core.simplices):
+                return Colors("simplices", self._of_simplices(given, "values"), "values")
         counts = f"({len(self._own.kinds)},), of vertices, or ({len(self._own.simplices)},), of simplices"
         raise InvalidArgumentError(f"values has shape {given.shape}; it must be {counts}")
 

@@ -7,7 +7,8 @@ from typing import Any, Literal, Optional
 
 import numpy as np
 
-from ._arrays import doubles, fixed, point_rows
+from ._arrays import copied, doubles, fixed, point_rows
+from ._errors import ArgumentTypeError
 from ._exports import Exports
 from ._features import Features
 from ._filtration import Filtration
@@ -268,6 +269,8 @@ def mesh(
     """
     given = {name: value for name, value in locals().items() if name not in _NO_OPTIONS}
     if isinstance(background, tuple) and len(background) == 2:
+        if isinstance(background[0], Part):
+            raise ArgumentTypeError("background[0] is of type Part; it must be a Mesh, as that of the part")
         given["background"] = background[0], doubles(background[1], "background")
     asked = domain_of(
         points, segments, facets, markers=markers, facet_markers=facet_markers, regions=regions, holes=holes
@@ -305,6 +308,8 @@ class Mesh(Exports, Features, Queries, Measures):
     ) -> Mesh:
         made = cls.__new__(cls)
         rows = point_rows(points)
+        # The caller may change arrays that were given, and a pickle makes the mesh of them again.
+        options, boundary = copied(options), copied(boundary)
         asked = options
         if options.get("size") is not None:
             asked = {**options, "size": size_of(options["size"], rows)}

@@ -56,8 +56,19 @@ def _bare(whole: Any) -> Any:
     if whole["type"] == "FeatureCollection" and "features" in whole:
         return {"type": "FeatureCollection", "features": [_bare(one) for one in whole["features"]]}
     if whole["type"] == "Feature" and "geometry" in whole:
-        return {"type": "Feature", "geometry": whole["geometry"]}
+        return {"type": "Feature", "geometry": _bare(whole["geometry"])}
+    if whole["type"] == "LinearRing" and "coordinates" in whole:
+        # Rings of shapely are no geometries of GeoJSON.
+        return {"type": "Polygon", "coordinates": [whole["coordinates"]]}
     return whole
+
+
+def collection(geometries: Any) -> dict[str, Any]:
+    """Return GeoJSON of several geometries, a feature each."""
+    return {
+        "type": "FeatureCollection",
+        "features": [{"type": "Feature", "geometry": one.__geo_interface__} for one in geometries],
+    }
 
 
 def _plain(thing: Any) -> Any:
@@ -130,6 +141,9 @@ def of_dict(x: Any) -> dict[str, Any]:
     if points.ndim != 2 or points.shape[1] != 2:
         raise InvalidArgumentError(f"x['vertices'] has shape {points.shape}; it must be (n, 2)")
     fields: dict[str, Any] = {"points": points}
+    x = {key: value for key, value in x.items() if value is not None}
+    if "segment_markers" in x and not len(x.get("segments", ())):
+        raise InvalidArgumentError("x has 'segment_markers'; it must have the 'segments' that they are of")
     if len(x.get("segments", ())):
         fields["segments"] = whole_numbers(x["segments"], "x['segments']")
         if "segment_markers" in x:

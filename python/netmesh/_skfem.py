@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Any
 
 import numpy as np
 
 from ._netmesh import Core
-from ._views import require_dimension
+from ._views import require_dimension, require_simplices
 
 
 def to_skfem(core: Core) -> Any:
@@ -16,6 +17,11 @@ def to_skfem(core: Core) -> Any:
     import skfem
     from skfem.generic_utils import OrientedBoundary
 
+    require_simplices(core)
+    unused = len(core.points) - len(np.unique(core.simplices))
+    if unused:
+        rule = "whose rows of matrices are zero; part('all').to_skfem() has no such points"
+        warnings.warn(f"{unused} of the points are in no simplex, {rule}", stacklevel=3)
     dim = core.points.shape[1]
     kind = skfem.MeshTri1 if dim == 2 else skfem.MeshTet1
     made = kind(core.points.T.copy(), core.simplices.T.copy())

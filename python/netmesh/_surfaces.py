@@ -89,13 +89,12 @@ def _is_meshio(thing: Any) -> bool:
 def _of_meshio(x: Any, markers: Optional[str]) -> dict[str, Any]:
     """Return the fields of a meshio Mesh."""
     points = doubles(x.points, "x.points")
-    kinds = {block.type for block in x.cells}
-    others = sorted(kinds - {"line", "vertex", *_FACETS})
+    if points.ndim == 2 and points.shape[1] == 3 and not points[:, 2].any():
+        points = points[:, :2]
+    kinds_of_facets = _FACETS if points.shape[-1] == 3 else ()
+    others = sorted({block.type for block in x.cells} - {"line", "vertex", *kinds_of_facets})
     if others:
         warnings.warn(f"x has cells of the kinds {', '.join(others)}, which are left out", stacklevel=4)
-    is_flat = points.ndim == 2 and points.shape[1] == 3 and not points[:, 2].any()
-    if is_flat and not kinds & set(_FACETS):
-        points = points[:, :2]
     names = [markers] if markers is not None else [name for name in _MARKERS if name in x.cell_data]
     numbers: list = _by_block(x, names[0]) if names else [None] * len(x.cells)
     fields: dict[str, Any] = {"points": points}
@@ -103,7 +102,7 @@ def _of_meshio(x: Any, markers: Optional[str]) -> dict[str, Any]:
     if lines is not None:
         ends, fields["markers"] = lines
         fields["segments"] = np.concatenate(ends)
-    facets = _blocks(x, numbers, _FACETS)
+    facets = _blocks(x, numbers, kinds_of_facets)
     if facets is not None:
         blocks, fields["facet_markers"] = facets
         fields["facets"] = _alike([polygon for block in blocks for polygon in block])

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import collections.abc
 from typing import Any, Callable
 
 import numpy as np
 
-from ._errors import InvalidArgumentError
+from ._errors import ArgumentTypeError, InvalidArgumentError
 from ._netmesh import Core
 
 #: Names of meshio for cells of dimension 1, 2 and 3.
@@ -27,8 +28,8 @@ def to_meshio(core: Core, point_data: dict, cell_data: dict) -> Any:
     return meshio.Mesh(
         core.points,
         [(_NAMES[block.shape[1] - 1], block) for block in blocks],
-        point_data={**_point_data(core), **point_data},
-        cell_data={**_cell_data(core, blocks), **_filled(cell_data, blocks)},
+        point_data=_joined(_point_data(core), point_data, "point_data"),
+        cell_data=_joined(_cell_data(core, blocks), _filled(cell_data, blocks), "cell_data"),
     )
 
 
@@ -40,15 +41,23 @@ def to_pyvista(core: Core, point_data: dict, cell_data: dict) -> Any:
     blocks = [core.simplices, *_facets(core)]
     cells = {_NUMBERS[block.shape[1] - 1]: block.astype(np.int64) for block in blocks}
     grid = pyvista.UnstructuredGrid(cells, points_in_space(core.points))
-    for name, values in {**_point_data(core), **point_data}.items():
+    for name, values in _joined(_point_data(core), point_data, "point_data").items():
         grid.point_data[name] = values.copy()
-    of_cells = {**_cell_data(core, blocks), **_filled(cell_data, blocks)}
+    of_cells = _joined(_cell_data(core, blocks), _filled(cell_data, blocks), "cell_data")
     for name, parts in of_cells.items():
         grid.cell_data[name] = np.concatenate(parts)
     if len(core.segments):
         grid.field_data["segments"] = core.segments.copy()
         grid.field_data["segment_markers"] = core.segment_markers()
     return grid
+
+
+def _joined(own: dict, given: dict, name: str) -> dict:
+    """Return the arrays of the mesh and those that are given, under other names."""
+    for key in given:
+        if key in own:
+            raise InvalidArgumentError(f"{name} has {key!r}, a name that the mesh has for something else")
+    return {**own, **given}
 
 
 def points_in_space(points: np.ndarray) -> np.ndarray:
@@ -66,8 +75,17 @@ def require_dimension(core: Core, dimensions: tuple[int, ...] = (2, 3)) -> None:
         raise InvalidArgumentError(f"the mesh has dim = {dim}; it must be {rule}")
 
 
+def require_simplices(core: Core) -> None:
+    """Refuse a part without simplices."""
+    if not len(core.simplices):
+        raise InvalidArgumentError("the part has no simplices; there is nothing to show or to solve on")
+
+
 def checked(given: Any, check: Callable[[Any, str], np.ndarray], name: str) -> dict:
     """Return arrays by name after `check`, which is told what messages call each."""
+    if given is not None and not isinstance(given, collections.abc.Mapping):
+        kind = type(given).__name__
+        raise ArgumentTypeError(f"{name} is of type {kind}; it must be a dict of arrays by name")
     return {key: check(values, f"{name}[{key!r}]") for key, values in (given or {}).items()}
 
 

@@ -250,3 +250,45 @@ def test_what_is_no_domain_is_refused(thing, kind, expected):
 def test_points_that_are_no_array_are_pointed_to_domain():
     for thing in ("part.stl", pathlib.Path("part.stl"), {"vertices": SQUARE}):
         assert "netmesh.domain makes a domain of other things" in refused(lambda: netmesh.mesh(thing))
+
+
+def test_rings_and_sequences_of_geometries_are_domains():
+    shapely = pytest.importorskip("shapely")
+    assert area(netmesh.domain(shapely.LinearRing(SQUARE))) == pytest.approx(16, rel=1e-12)
+    pieces = [shapely.box(0, 0, 1, 1), shapely.box(2, 0, 3, 2)]
+    for thing in (pieces, np.array(pieces), tuple(pieces)):
+        made = netmesh.domain(thing)
+        assert area(made) == pytest.approx(3, rel=1e-12) and made.markers.tolist() == [1] * 4 + [2] * 4
+
+
+def test_planar_meshes_of_meshio_are_their_lines():
+    meshio = pytest.importorskip("meshio")
+    for points in ([[0.0, 0], [1, 0], [1, 1]], [[0.0, 0, 0], [1, 0, 0], [1, 1, 0]]):
+        cells = [("triangle", [[0, 1, 2]]), ("line", [[0, 1], [1, 2], [2, 0]])]
+        with pytest.warns(UserWarning, match="x has cells of the kinds triangle, which are left out"):
+            made = netmesh.domain(meshio.Mesh(points, cells))
+        assert made.facets is None and area(made) == pytest.approx(0.5, rel=1e-12)
+
+
+def test_words_and_numbers_of_a_wrong_kind_are_refused_by_name():
+    assert repr(dataclasses.replace(netmesh.domain(SQUARE), points=[[0, 0], [1, 0], [1, 1], [0, 1]]))
+    message = refused(lambda: netmesh.domain(SQUARE, markers=[5]), netmesh.ArgumentTypeError)
+    assert message == "markers is of type list; it must be the name of the data that has them"
+    without = netmesh.domain({"vertices": SQUARE, "segments": None, "holes": None, "regions": None})
+    assert without.segments is None and len(without.points) == 4
+    message = refused(lambda: netmesh.domain({"vertices": SQUARE, "segment_markers": [1]}))
+    assert message == "x has 'segment_markers'; it must have the 'segments' that they are of"
+
+
+def test_pickles_do_not_follow_arrays_that_change():
+    import pickle
+
+    points, sizes = np.random.default_rng(0).random((50, 2)), np.full(50, 0.3)
+    ring = netmesh.domain(SQUARE)
+    made, marked = netmesh.mesh(points, size=sizes), netmesh.mesh(ring)
+    sizes *= 0.5
+    ring.segments[:] = 0
+    ring.markers[:] = 7
+    assert len(pickle.loads(pickle.dumps(made)).points) == len(made.points)
+    again = pickle.loads(pickle.dumps(marked))
+    assert (again.segment_markers == marked.segment_markers).all() and set(again.segment_markers.tolist()) == {1}

@@ -230,7 +230,7 @@ def test_parts_are_written_and_shown_alike(random, tmp_path):
         part.to_meshio({"x": [1, 2, 3]})
     with pytest.raises(netmesh.InvalidArgumentError, match=r"^cell_data\['x'\]" + rule):
         part.to_meshio(None, {"x": [1, 2, 3]})
-    with pytest.raises(netmesh.InvalidArgumentError, match="^attribute x" + rule):
+    with pytest.raises(netmesh.InvalidArgumentError, match=r"^attributes\['x'\]" + rule):
         part.export(tmp_path / "own.vtu", attributes={"x": [1, 2, 3]})
 
 
@@ -268,3 +268,63 @@ def test_parts_and_filtrations_and_shapes_pickle(random):
     # A mesh is made again once for all that come of it.
     again, other, same_part = pickle.loads(pickle.dumps((m, alpha, m.part())))
     assert other._mesh is again and same_part._mesh is again
+
+
+def test_parts_without_simplices_are_refused_where_there_is_nothing_to_show(tmp_path):
+    pytest.importorskip("skfem")
+    empty = netmesh.mesh([[0, 0], [1, 1]]).part("hull")
+    for call in (empty.plot, empty.to_skfem):
+        with pytest.raises(netmesh.InvalidArgumentError, match="^the part has no simplices"):
+            call()
+    empty.export(tmp_path / "empty.svg")
+    assert not any(word in (tmp_path / "empty.svg").read_text() for word in ("inf", "NaN", "180"))
+    empty.export(tmp_path / "empty.domains.json")
+    assert '"center":null,"point":null' in (tmp_path / "empty.domains.json").read_text()
+
+
+def test_a_part_that_has_not_the_centre_of_a_domain_has_none(tmp_path):
+    import json
+
+    random = np.random.default_rng(194)
+    m = netmesh.mesh(np.r_[random.random((4, 2)), random.random(2) + 1e-4 * random.random((3, 2))])
+    part = m.part("hull")
+    part.export(tmp_path / "part.domains.json")
+    found = json.loads((tmp_path / "part.domains.json").read_text())["domains"]
+    assert len(found) == len(m.domains) > 1
+    for domain, center in zip(found, m.domains["center"]):
+        if center in part.vertices:
+            assert domain["point"] == m.points[center].tolist()
+        else:
+            assert domain["center"] is None and domain["point"] is None
+    assert any(domain["center"] is None for domain in found)
+
+
+def test_points_in_no_simplex_are_told_to_scikit_fem():
+    pytest.importorskip("skfem")
+    points = [[0, 0], [1, 0], [1, 1], [0, 1], [3, 3]]
+    m = netmesh.mesh(points, [[0, 1], [1, 2], [2, 3], [3, 0]])
+    with pytest.warns(UserWarning, match="^1 of the points are in no simplex"):
+        assert m.to_skfem().nelements == len(m.simplices)
+    assert m.part("all").to_skfem().nvertices == len(m.points) - 1
+
+
+def test_what_is_shown_comes_before_the_mesh_that_it_is_of():
+    pytest.importorskip("matplotlib").use("agg")
+    m = netmesh.mesh(np.random.default_rng(264).random((12, 2)))
+    part = m.part("hull", across=True)
+    assert len(part.cells) == len(m.points) == 45
+    colors = part._given_colors(np.arange(45.0))
+    assert colors.of == "simplices" and (colors.values == np.arange(45)).all()
+
+
+def test_names_of_the_mesh_are_not_replaced_in_other_packages():
+    pytest.importorskip("meshio")
+    m = netmesh.mesh([[0, 0], [1, 0], [0, 1]])
+    with pytest.raises(netmesh.InvalidArgumentError, match="^point_data has 'kind', a name that the mesh has"):
+        m.to_meshio({"kind": m.kinds})
+    with pytest.raises(netmesh.ArgumentTypeError, match="^point_data is of type list; it must be a dict"):
+        m.to_meshio([m.kinds])
+    with pytest.raises(netmesh.InvalidArgumentError, match="^clip is for 3D"):
+        m.plot(clip="y")
+    with pytest.raises(netmesh.ArgumentTypeError, match=r"^background\[0\] is of type Part; it must be a Mesh"):
+        netmesh.mesh([[0, 0], [1, 0], [1, 1]], background=(m.part("all"), np.ones(3)))

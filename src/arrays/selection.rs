@@ -131,8 +131,7 @@ impl<'a> Part<'a> {
             stats: mesh.stats.clone(),
         };
         for domain in &mut part.domains {
-            let center = new_vertex[domain.center as usize];
-            domain.center = if center == NONE { 0 } else { center };
+            domain.center = new_vertex[domain.center as usize];
         }
         kept.iter().try_for_each(|&v| part.points.try_extend(mesh.point(v)))?;
         for &simplex in &ids {

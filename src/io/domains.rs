@@ -2,7 +2,7 @@
 
 use super::{allocation_failed, json};
 use crate::memory::Lists;
-use crate::mesh::Triangulation;
+use crate::mesh::{NONE, Triangulation};
 use std::io::{self, Write};
 
 /// Writes a line for each domain.
@@ -21,8 +21,13 @@ pub(super) fn write(triangulation: &Triangulation, out: &mut dyn Write) -> io::R
     json::lines(out, domains.iter().enumerate(), |out, (index, domain)| {
         write!(out, r#"{{"domain":{index},"parent":"#)?;
         json::id(out, domain.parent)?;
-        write!(out, r#","center":{},"point":"#, domain.center)?;
-        json::point(out, triangulation.point(domain.center))?;
+        out.write_all(br#","center":"#)?;
+        json::id(out, domain.center)?;
+        out.write_all(br#","point":"#)?;
+        match domain.center {
+            NONE => out.write_all(b"null")?,
+            center => json::point(out, triangulation.point(center))?,
+        }
         out.write_all(br#","radius":"#)?;
         json::number(out, domain.radius)?;
         out.write_all(br#","cage":"#)?;
@@ -37,7 +42,8 @@ pub(super) fn write(triangulation: &Triangulation, out: &mut dyn Write) -> io::R
 #[cfg(test)]
 mod tests {
     use super::super::{Format, samples, write};
-    use crate::mesh::{Domain, Mesh, NONE};
+    use super::NONE;
+    use crate::mesh::{Domain, Mesh};
 
     fn text(mesh: &Mesh) -> String {
         let mut text = Vec::new();
@@ -64,6 +70,16 @@ mod tests {
             {\"domain\":2,\"parent\":0,\"center\":0,\"point\":[0,0],\"radius\":null,\
              \"cage\":[],\"children\":[]}]}\n";
         assert_eq!(text(&mesh), expected);
+    }
+
+    /// A part may have a domain without its centre.
+    #[test]
+    fn a_centre_that_is_not_there_is_null() {
+        let square = samples::square();
+        let mut triangulation = square.triangulation().unwrap().clone();
+        triangulation.domains = vec![Domain { center: NONE, parent: NONE, radius: 2.5 }];
+        let mesh = Mesh::from_parts(square.inputs().clone(), triangulation);
+        assert!(text(&mesh).contains(r#""center":null,"point":null,"radius":2.5"#));
     }
 
     #[test]

@@ -43,7 +43,9 @@ impl Frame {
                 (*least, *most) = (least.min(x * scale), most.max(x * scale));
             }
         }
-        bounds[mesh.dim.min(3)..].fill([0.0; 2]);
+        // A part may have no vertex.
+        let axes = if mesh.points.is_empty() { 0 } else { mesh.dim.min(3) };
+        bounds[axes..].fill([0.0; 2]);
         let halves = bounds.map(|[least, most]| 0.5 * most - 0.5 * least);
         let half = halves.into_iter().fold(f64::MIN_POSITIVE, f64::max);
         let center = bounds.map(|[least, most]| 0.5 * most + 0.5 * least);
@@ -170,7 +172,9 @@ impl<'a> Facts<'a> {
             regions => visit(format_args!("{count} {cells} in {} regions", grouped(regions)))?,
         }
         self.visit_bound(&mut visit)?;
-        visit(format_args!("Smallest {angle} {} degrees", figure(self.least_angle)))?;
+        if mesh.simplex_count() > 0 {
+            visit(format_args!("Smallest {angle} {} degrees", figure(self.least_angle)))?;
+        }
         let Quality { min_angle_degrees, worst_radius_edge, worst_aspect, .. } = self.quality;
         if min_angle_degrees > 0.0 && worst_radius_edge > 0.0 {
             let [degrees, ratio] = [min_angle_degrees, worst_radius_edge].map(figure);

@@ -302,7 +302,7 @@ def test_attributes_are_exported(tmp_path, random):
     lines = (tmp_path / "part.csv").read_text().split()[1:]
     vertices = np.unique(m.simplices[part.simplices])
     assert [float(line.split(",")[-1]) for line in lines] == values[vertices, 0].tolist()
-    hint = r"^attribute height has shape \(40,\); it must be .* extend_values makes them"
+    hint = r"^attributes\['height'\] has shape \(40,\); it must be .* extend_values makes them"
     with pytest.raises(ValueError, match=hint):
         m.export(tmp_path / "mesh.csv", attributes={"height": values[:40, 0]})
     m.export(tmp_path / "mesh.npy", attributes={"height": values[:, 0], "v": values})

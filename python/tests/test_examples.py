@@ -1,5 +1,6 @@
 """The examples that are for Python's users do what they say."""
 
+import functools
 import importlib.util
 import signal
 import subprocess
@@ -63,7 +64,10 @@ def test_many_points_tell_their_progress_and_stop_on_a_signal(tmp_path):
     program = [sys.executable, "-u", str(EXAMPLES / "many_points.py")]
     done = subprocess.run([*program, "2000"], capture_output=True, text=True, check=True)
     assert done.stdout.startswith("<netmesh.Mesh: dim 3") and "100.0%" in done.stderr
-    with subprocess.Popen([*program, "2000000"], stderr=subprocess.PIPE, text=True) as running:
+    # A shell in the background has its programs ignore the signal.
+    heeds = functools.partial(signal.signal, signal.SIGINT, signal.SIG_DFL)
+    running = subprocess.Popen([*program, "2000000"], stderr=subprocess.PIPE, text=True, preexec_fn=heeds)
+    with running:
         said = ""
         while "insert" not in said:
             said += running.stderr.read(1)

@@ -393,7 +393,7 @@ static void test_validate_and_export(nm_mesh *mesh, const char *directory)
     EXPECT(NM_INVALID_ARGUMENT, nm_mesh_validate(mesh, 4, &report), "level");
     EXPECT(NM_NULL_ARGUMENT, nm_export(mesh, NULL, NM_FORMAT_VTU), "path_utf8");
     EXPECT(NM_INVALID_ARGUMENT, nm_export(mesh, "", NM_FORMAT_VTU), "path_utf8");
-    EXPECT(NM_INVALID_ARGUMENT, nm_export(mesh, "a.vtu", 18), "format is 18");
+    EXPECT(NM_INVALID_ARGUMENT, nm_export(mesh, "a.vtu", 20), "format is 20");
     sprintf(path, "%.400s/no/such/directory/mesh.vtu", directory);
     EXPECT(NM_IO, nm_export(mesh, path, NM_FORMAT_AUTO), "mesh.vtu");
     EXPECT(NM_NULL_ARGUMENT, nm_export_write(mesh, NM_FORMAT_VTU, NULL, NULL), "write");

@@ -27,7 +27,7 @@ use crate::netmesh::state::order::{InputId, by_locality};
 use crate::netmesh::state::parameters::usable_threads;
 use crate::netmesh::state::watch::Watch;
 use crate::numerics::{Sign, affine_basis};
-use crate::options::Phase;
+use crate::options::{NetOrdering, Phase};
 use crate::parameters::Parameters;
 use std::time::Instant;
 
@@ -59,7 +59,11 @@ pub(in crate::netmesh) fn triangulate(
     }
     let first = first_triangle(&points)?;
     let mut plain = Plain::new(&points, first)?;
-    let rounds = rounds(count, parameters.seed, &first)?;
+    let seed = match parameters.ordering {
+        NetOrdering::SampledNet => parameters.seed,
+        NetOrdering::DeterministicNet => 0,
+    };
+    let rounds = rounds(count, seed, &first)?;
     let mut stats = Stats { rounds: rounds.len() as u64, ..Stats::default() };
     let mut inserted = first.len();
     for round in &rounds {

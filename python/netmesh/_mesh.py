@@ -175,12 +175,13 @@ def mesh(
         Not in hierarchical meshes. From 0.05 to 1.
     size : float, array_like of float with shape (n,), or callable
         The length that edges shall have in the box of the points: everywhere, at each point and
-        linear between them, or as a function tells: one of a point, an array of shape (dim,); of its
-        coordinates, ``f(x, y)`` in 2D; or of points, an array of shape (n, dim), which answers with
-        shape (n,) and is called once for all points, then with one row at a time. Interpolators are
-        such functions. It is called about once for each vertex. Circumradii are at most those of regular simplices with such edges,
-        and most edges have between 0.6 times that length and that length. ``inf`` for no bound. An
-        exception of the function is raised here.
+        linear between them, or as a function tells: one of a point, an array of shape (dim,); of
+        its coordinates, ``f(x, y)`` in 2D; or of points, an array of shape (n, dim), which answers
+        with shape (n,) and is called once for all points, then with one row at a time.
+        Interpolators are such functions. It is called about once for each vertex. Circumradii are
+        at most those of regular simplices with such edges, and most edges have between 0.6 times
+        that length and that length. ``inf`` for no bound. An exception of the function is raised
+        here.
     background : (Mesh, array_like of float with shape (vertices,)), optional
         A mesh and sizes at its vertices, linear in its simplices; beyond it the sizes of its nearest
         vertex count. With `size` the least counts. To adapt a mesh, mesh the points again with the

@@ -243,7 +243,7 @@ def test_meshes_of_domains_are_pickled():
     ],
 )
 def test_what_is_no_domain_is_refused(thing, kind, expected):
-    message = refused(lambda: netmesh.domain(thing), getattr(netmesh, f"{kind}Error" if kind != "InvalidArgument" else "InvalidArgumentError"))
+    message = refused(lambda: netmesh.domain(thing), getattr(netmesh, f"{kind}Error"))
     assert message.startswith(expected), message
 
 

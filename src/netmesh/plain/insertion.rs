@@ -2,7 +2,7 @@
 //! edges flip until every circle is empty.
 
 use super::signs::Signs;
-use super::triangles::{Edge, INFINITE, Triangles, next, previous};
+use super::triangles::{Edge, INFINITE, Triangles, is_infinite, next, previous};
 use crate::error::Result;
 use crate::memory::TryGrow;
 use crate::mesh::Stats;
@@ -62,16 +62,20 @@ impl<'a> Plain<'a> {
             let infinite = corners.iter().position(|&c| c == INFINITE).expect("one is") as u32;
             triangle = self.triangles.twin(next(3 * triangle + infinite)) / 3;
         }
-        let mut way = [3 * triangle, 3 * triangle + 1, 3 * triangle + 2].map(Some);
-        while let Some(edge) = way.into_iter().flatten().find(|&edge| self.is_beyond(edge, vertex))
-        {
+        let mut beyond = (3 * triangle..3 * triangle + 3).find(|&e| self.is_beyond(e, vertex));
+        while let Some(edge) = beyond {
             let other = self.triangles.twin(edge);
             triangle = other / 3;
             steps += 1;
             if self.triangles.is_infinite(triangle) {
                 break;
             }
-            way = [Some(next(other)), Some(previous(other)), None];
+            // Not the edge that the walk has come through.
+            beyond = match (next(other), previous(other)) {
+                (after, _) if self.is_beyond(after, vertex) => Some(after),
+                (_, before) if self.is_beyond(before, vertex) => Some(before),
+                _ => None,
+            };
         }
         self.steps += steps;
         self.most_steps = self.most_steps.max(steps);
@@ -82,7 +86,8 @@ impl<'a> Plain<'a> {
     #[inline]
     fn is_beyond(&mut self, edge: Edge, vertex: u32) -> bool {
         let corners = &self.triangles.triangle(edge).corners;
-        let [from, to] = [edge % 3, next(edge) % 3].map(|at| corners[at as usize] as usize);
+        let from = corners[(edge % 3) as usize] as usize;
+        let to = corners[(next(edge) % 3) as usize] as usize;
         let points = self.points;
         self.signs.turn(&points[from], &points[to], &points[vertex as usize]) == Sign::Negative
     }
@@ -92,11 +97,12 @@ impl<'a> Plain<'a> {
     #[inline]
     fn is_in_conflict(&mut self, edge: Edge, vertex: u32) -> bool {
         let corners = self.triangles.triangle(edge).corners;
-        if corners.contains(&INFINITE) {
+        if is_infinite(&corners) {
             return self.is_beyond_hull(corners, vertex);
         }
         let points = self.points;
-        let circle = corners.map(|corner| &points[corner as usize]);
+        let [a, b, c] = corners;
+        let circle = [&points[a as usize], &points[b as usize], &points[c as usize]];
         self.signs.is_in_circle(circle, &points[vertex as usize])
     }
 

@@ -26,7 +26,7 @@ use crate::netmesh::state::limit;
 use crate::netmesh::state::order::{InputId, by_locality};
 use crate::netmesh::state::parameters::usable_threads;
 use crate::netmesh::state::watch::Watch;
-use crate::numerics::{Sign, affine_basis};
+use crate::numerics::affine_basis;
 use crate::options::{NetOrdering, Phase};
 use crate::parameters::Parameters;
 use std::time::Instant;
@@ -99,9 +99,5 @@ fn first_triangle(points: &[[f64; 2]]) -> Result<[u32; 3]> {
         return Err(Error::new(ErrorKind::DegenerateInput, message));
     }
     let found = collected(basis.iter().map(|&at| at as u32))?;
-    let [a, b, c] = [found[0], found[1], found[2]];
-    match signs::turn(&points[a as usize], &points[b as usize], &points[c as usize]) {
-        Sign::Positive => Ok([a, b, c]),
-        _ => Ok([a, c, b]),
-    }
+    Ok(signs::counterclockwise([found[0], found[1], found[2]], points))
 }

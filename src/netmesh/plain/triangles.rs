@@ -34,6 +34,12 @@ pub(super) fn previous(edge: Edge) -> Edge {
     if edge % 3 == 0 { edge + 2 } else { edge - 1 }
 }
 
+/// Returns true if one of the corners is at infinity.
+#[inline]
+pub(super) fn is_infinite(corners: &[u32; 3]) -> bool {
+    corners[0] == INFINITE || corners[1] == INFINITE || corners[2] == INFINITE
+}
+
 impl Triangles {
     /// Makes a triangle of corners that run counterclockwise, with room for `vertices`.
     pub fn new([a, b, c]: [u32; 3], vertices: usize) -> Result<Self> {
@@ -72,7 +78,7 @@ impl Triangles {
 
     #[inline]
     pub fn is_infinite(&self, triangle: u32) -> bool {
-        self.corners(triangle).contains(&INFINITE)
+        is_infinite(self.corners(triangle))
     }
 
     /// Makes two edges the sides of one.

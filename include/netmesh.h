@@ -1947,7 +1947,8 @@ typedef struct nm_stats {
     uint64_t passes;
     /**
      * The length of the longest conflict list after a round over that before the round, largest
-     * over all rounds. At most 1/2; 0 without rounds (NM_ALGORITHM_SVR).
+     * over all rounds. At most 1/2; 0 without such lists (NM_ALGORITHM_SVR, and
+     * NM_ALGORITHM_DELAUNAY in 2D, whose touches are steps of walks).
      */
     double worst_halving;
     /**

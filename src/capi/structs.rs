@@ -453,7 +453,8 @@ pub struct nm_stats {
     /// inputs assigned to it that are no vertices yet.)
     pub passes: u64,
     /// The length of the longest conflict list after a round over that before the round, largest
-    /// over all rounds. At most 1/2; 0 without rounds (NM_ALGORITHM_SVR).
+    /// over all rounds. At most 1/2; 0 without such lists (NM_ALGORITHM_SVR, and
+    /// NM_ALGORITHM_DELAUNAY in 2D, whose touches are steps of walks).
     pub worst_halving: f64,
     /// Points inserted for cages during the run, those of cages released later included.
     /// input_vertices, cage_points, far_corners and off_centers add up to the vertices.

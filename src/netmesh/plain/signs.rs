@@ -84,10 +84,10 @@ fn is_moderate(x: f64) -> bool {
     x == 0.0 || (LEAST..=LARGEST).contains(&x.abs())
 }
 
-/// Returns the in-circle determinant of rounded differences from `q`, and a bound of its error. Each
-/// product of the permanent carries at most ten roundings (Shewchuk 1997 has 10 + 96 u of it); 20 u
-/// are allowed. A product of two that underflows loses 2^-1075, times what it is multiplied by; the
-/// last products lose less than `TINY` in all.
+/// Returns the in-circle determinant of rounded differences from `q`, and a bound of its error.
+/// Each product of the permanent carries at most ten roundings (Shewchuk 1997 has 10 + 96 u of it);
+/// 20 u are allowed. A product of two that underflows loses 2^-1075, times what it is multiplied
+/// by; the last products lose less than `TINY` in all.
 #[inline]
 fn in_circle(a: &Point, b: &Point, c: &Point, q: &Point) -> (f64, f64) {
     const BOUND: f64 = 10.0 * f64::EPSILON;

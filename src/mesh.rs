@@ -21,6 +21,7 @@ pub(crate) use facets::check_starts;
 pub use facets::{ArrangedFacet, FacetTriangle, Facets};
 pub use holes::{FacetTriangulation, HoleFilling};
 pub use inputs::Inputs;
+pub(crate) use inputs::check_finite;
 pub use intersection::{Feature, Intersection, IntersectionKind};
 pub use left_out::LeftOut;
 

@@ -126,8 +126,7 @@ class Part(Exports, Locations, Figures):
         return self._own.simplex_regions
 
     def _columns(self, values: Any, name: str) -> np.ndarray:
-        is_own = array(values, name).shape[:1] == self._own.kinds.shape
-        if not is_own and array(values, name).shape[:1] == self._core.kinds.shape:
+        if array(values, name).shape[:1] == self._core.kinds.shape:
             return value_columns(values, len(self._core.kinds), "vertex", name)[self.vertices]
         return vertex_columns(values, self._own, name)
 

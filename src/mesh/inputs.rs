@@ -4,6 +4,18 @@ use super::{MAX_DIM, MIN_DIM, NONE};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocError, AllocResult, TryGrow, copied, filled, with_capacity};
 
+/// Fails unless all coordinates of points, one after the other, are finite.
+pub(crate) fn check_finite(dim: usize, points: &[f64]) -> Result<()> {
+    let Some(at) = points.iter().position(|x| !x.is_finite()) else { return Ok(()) };
+    let message = message!(
+        "points[{}] has a non-finite coordinate {}: {}; every coordinate must be finite",
+        at / dim,
+        at % dim,
+        points[at]
+    );
+    Err(Error::new(ErrorKind::NonFinite, message))
+}
+
 /// The caller's points with their own bits; exact duplicates are identified.
 #[derive(Clone, Debug)]
 pub struct Inputs {

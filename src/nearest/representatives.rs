@@ -4,7 +4,7 @@ use super::search::Stop;
 use super::tree::{Node, Tree};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, filled};
-use crate::mesh::{MAX_DIM, MIN_DIM, NONE, in_dimension};
+use crate::mesh::{MAX_DIM, MIN_DIM, NONE, check_finite, in_dimension};
 use crate::numerics::{coordinates, distance};
 
 /// Writes for each of the points (`count x dim`) the one that stands for it. Points are taken in
@@ -40,15 +40,7 @@ pub fn representatives(
         let message = message!("cutoff is {cutoff}; it must be at least 0 and finite");
         return Err(Error::invalid(message));
     }
-    if let Some(at) = points.iter().position(|x| !x.is_finite()) {
-        let message = message!(
-            "points[{}] has a non-finite coordinate {}: {}; every coordinate must be finite",
-            at / dim,
-            at % dim,
-            points[at]
-        );
-        return Err(Error::new(ErrorKind::NonFinite, message));
-    }
+    check_finite(dim, points)?;
     let made = in_dimension!(
         dim,
         D => choose::<D>(points, cutoff, stop, found),

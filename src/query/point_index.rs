@@ -4,7 +4,7 @@ use super::index::no_dimension;
 use super::questions::nearest_in;
 use super::threads::Work;
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::mesh::{MAX_DIM, MIN_DIM, NONE, in_dimension};
+use crate::mesh::{MAX_DIM, MIN_DIM, NONE, check_finite, in_dimension};
 use crate::nearest::Tree;
 
 /// Search structure of points, for the nearest of them. It takes 8 `dim` + 7 bytes a point.
@@ -70,17 +70,6 @@ impl PointIndex {
         found?;
         work.check()
     }
-}
-
-fn check_finite(dim: usize, points: &[f64]) -> Result<()> {
-    let Some(at) = points.iter().position(|x| !x.is_finite()) else { return Ok(()) };
-    let message = message!(
-        "points[{}] has a non-finite coordinate {}: {}; every coordinate must be finite",
-        at / dim,
-        at % dim,
-        points[at]
-    );
-    Err(Error::new(ErrorKind::NonFinite, message))
 }
 
 #[cfg(test)]

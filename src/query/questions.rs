@@ -6,9 +6,9 @@ use super::locate::{Locator, Place, Scratch};
 use super::threads::{Work, on_threads, piece, threads};
 use super::view::View;
 use super::{Among, Index};
-use crate::error::{Error, ErrorKind, Name, Result, message, say};
+use crate::error::{Error, Name, Result, message, say};
 use crate::memory::AllocResult;
-use crate::mesh::{Triangulation, in_dimension};
+use crate::mesh::{Triangulation, check_finite, in_dimension};
 use crate::nearest::{Tree, nearest_until, sort_by_leaf};
 use crate::numerics::coordinates;
 
@@ -162,16 +162,7 @@ impl Index {
             );
             return Err(Error::invalid(message));
         }
-        if let Some(at) = points.iter().position(|x| !x.is_finite()) {
-            let message = message!(
-                "points[{}] has a non-finite coordinate {}: {}; every coordinate must be finite",
-                at / dim,
-                at % dim,
-                points[at]
-            );
-            return Err(Error::new(ErrorKind::NonFinite, message));
-        }
-        Ok(())
+        check_finite(dim, points)
     }
 }
 

@@ -1,8 +1,8 @@
 //! Triangulations of the plane as arrays, whoever made them.
 
 use super::interpolate::Values;
-use crate::error::{Error, ErrorKind, Result, message};
-use crate::mesh::NONE;
+use crate::error::{Error, Result, message};
+use crate::mesh::{NONE, check_finite};
 
 /// Triangulation of the plane as arrays. It need be neither Delaunay nor convex.
 #[derive(Clone, Copy, Debug)]
@@ -77,15 +77,7 @@ impl<'a> Triangles<'a> {
                 self.neighbors[at]
             ));
         }
-        if let Some(at) = self.points.iter().position(|x| !x.is_finite()) {
-            let message = message!(
-                "points[{}] has a non-finite coordinate {}: {}; every coordinate must be finite",
-                at / 2,
-                at % 2,
-                self.points[at]
-            );
-            return Err(Error::new(ErrorKind::NonFinite, message));
-        }
+        check_finite(2, self.points)?;
         if values.components == 0 {
             return refuse(message!("components is 0; it must be at least 1"));
         }

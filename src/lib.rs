@@ -25,6 +25,7 @@ pub mod quality;
 pub mod query;
 mod run;
 mod sizes;
+pub mod surface;
 pub(crate) mod threads;
 pub mod topology;
 pub mod validate;

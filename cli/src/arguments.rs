@@ -89,6 +89,20 @@ pub struct Arguments {
     )]
     pub alpha_shape: Option<AlphaChoice>,
 
+    /// Find the closed surface that goes through the points, of which no normals are asked; a closed
+    /// curve in the plane. The output is the surface, a file that ends with .ply, .off, .stl or
+    /// .obj; outliers, and points that noise moved off it, are left out and counted
+    #[arg(long)]
+    #[arg(conflicts_with_all = [
+        "output_format", "attributes", "filtration", "alpha_shape", "hierarchical", "with", "merge",
+        "sizes"
+    ])]
+    pub surface: bool,
+
+    /// Make the mesh of what the surface encloses, as of a part: the output is a mesh
+    #[arg(long, requires = "surface")]
+    pub volume: bool,
+
     /// Format of the output, where the extension does not tell
     #[arg(long, value_name = "FORMAT")]
     pub output_format: Option<WritableFormat>,
@@ -209,6 +223,7 @@ pub enum Product {
     Mesh,
     Filtration(FiltrationName),
     AlphaShape(AlphaChoice),
+    Surface,
 }
 
 impl Arguments {
@@ -242,7 +257,8 @@ impl Arguments {
     pub fn product(&self) -> Product {
         let filtration = self.filtration.map(Product::Filtration);
         let alpha_shape = self.alpha_shape.map(Product::AlphaShape);
-        filtration.or(alpha_shape).unwrap_or(Product::Mesh)
+        let surface = (self.surface && !self.volume).then_some(Product::Surface);
+        filtration.or(alpha_shape).or(surface).unwrap_or(Product::Mesh)
     }
 
     /// Returns the option that asks for the plain Delaunay triangulation, if one does.
@@ -250,6 +266,7 @@ impl Arguments {
         match self.product() {
             Product::Filtration(FiltrationName::Alpha) => "--filtration alpha",
             Product::AlphaShape(_) => "--alpha-shape",
+            Product::Surface => "--surface",
             Product::Filtration(FiltrationName::Mesh) | Product::Mesh => "--algorithm delaunay",
         }
     }
@@ -282,9 +299,9 @@ impl Arguments {
                 _ => Output::Auto,
             },
             algorithm: match self.product() {
-                Product::Filtration(FiltrationName::Alpha) | Product::AlphaShape(_) => {
-                    Algorithm::Delaunay
-                }
+                Product::Filtration(FiltrationName::Alpha)
+                | Product::AlphaShape(_)
+                | Product::Surface => Algorithm::Delaunay,
                 _ => given.algorithm,
             },
             instruments: self.stats,

@@ -3,13 +3,21 @@
 use crate::exit_code::{ExitCode, Failure};
 use crate::numbers::counted;
 use netmesh::Mesh;
-use netmesh::validate::{Report, validate_mesh};
+use netmesh::surface::Surface;
+use netmesh::validate::{Report, validate_mesh, validate_surface};
 
 /// Topology, geometry and the paper's promises.
 const LEVEL: u32 = 3;
 
 pub fn check(mesh: &Mesh) -> Result<Report, Failure> {
     Ok(validate_mesh(mesh, LEVEL)?)
+}
+
+/// Checks the triangulation and the surface in it.
+pub fn check_surface(mesh: &Mesh, surface: &Surface) -> Result<Report, Failure> {
+    let triangulation = mesh.result()?;
+    let Surface { facets, left_out, .. } = surface;
+    Ok(validate_surface(mesh.inputs(), triangulation, facets, left_out)?)
 }
 
 pub fn holds(report: &Report) -> bool {

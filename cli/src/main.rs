@@ -25,6 +25,7 @@ mod progress;
 mod record;
 mod repairs;
 mod same_file;
+mod scan;
 mod session;
 mod sizes;
 mod standard;

@@ -6,8 +6,10 @@ use crate::alpha_shape::Measured;
 use crate::histograms::{Histograms, Table};
 use crate::input::{Further, Marked};
 use crate::repairs::{Reason, Repairs};
+use crate::scan::Found;
 use crate::summary::Summary;
 use netmesh::options::{TABLE, Value as Given};
+use netmesh::surface::Shell;
 use netmesh::validate::Report;
 use netmesh::{Parameters, Stats};
 use serde_json::ser::{Formatter, PrettyFormatter, Serializer};
@@ -43,6 +45,7 @@ pub fn json(summary: &Summary<'_>) -> String {
         "histograms": summary.histograms.map(histograms),
         "stats": stats(&summary.triangulation.stats, parameters.instruments),
         "alpha_shape": summary.alpha_shape.map(alpha_shape),
+        "surface": summary.scan.map(|found| surface(found, summary.triangulation.dim)),
         "report": summary.report.map(report),
     }))
 }
@@ -94,6 +97,18 @@ fn alpha_shape(shape: &Measured) -> Value {
         "components": shape.topology.components,
         "voids": shape.topology.voids,
         "tunnels": tunnels.map(|betti| betti[1]),
+    })
+}
+
+fn surface(found: &Found, dim: usize) -> Value {
+    let Found { surface, points, volume } = found;
+    let shell = |shell: &Shell| json!({ "facets": shell.facets, "vertices": shell.vertices, "genus": shell.genus });
+    json!({
+        "facets": surface.facets.len() / dim,
+        "points": points,
+        "left_out": surface.left_out.len(),
+        "volume": number(*volume),
+        "shells": surface.shells.iter().map(shell).collect::<Vec<_>>(),
     })
 }
 

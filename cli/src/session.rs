@@ -17,6 +17,7 @@ use crate::progress::Display;
 use crate::record;
 use crate::repairs;
 use crate::same_file;
+use crate::scan;
 use crate::sizes;
 use crate::standard;
 use crate::summary::{Summary, Times};
@@ -38,6 +39,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let _stage = display.stage("reading");
         timed(&mut times.read, || input::read(arguments))?
     };
+    if arguments.surface {
+        scan::require_dimension(&input.mesh)?;
+    }
     let repairs = repairs::repair(&mut input, arguments)?;
     let Input { mut mesh, further, origins, .. } = input;
     if let Some(path) = &arguments.diagnose {
@@ -54,12 +58,17 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         require_output_format(&mesh, output, arguments)?;
         require_parts(&mesh, arguments)?;
     }
-    timed(&mut times.mesh, || make(&mut mesh, &origins, arguments, &display))?;
-    let alpha_shape = timed(&mut times.write, || write(&mesh, arguments, &display))?;
+    let scan = timed(&mut times.mesh, || make(&mut mesh, &origins, arguments, &display))?;
+    let alpha_shape = timed(&mut times.write, || write(&mesh, scan.as_ref(), arguments, &display))?;
     let report = match arguments.validate {
         true => Some({
             let _stage = display.stage("certifying");
-            timed(&mut times.validate, || certificate::check(&mesh))?
+            timed(&mut times.validate, || match &scan {
+                Some(found) if arguments.product() == Product::Surface => {
+                    certificate::check_surface(&mesh, &found.surface)
+                }
+                _ => certificate::check(&mesh),
+            })?
         }),
         false => None,
     };
@@ -84,6 +93,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             triangulation,
             quality: &quality,
             alpha_shape: alpha_shape.as_ref(),
+            scan: scan.as_ref(),
             histograms: histograms.as_ref(),
             report: report.as_ref(),
             times: &times,
@@ -96,15 +106,18 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 /// Refuses what can be seen to be wrong before anything is read.
 fn check_paths(arguments: &Arguments) -> Result<(), Failure> {
     input::require_format(arguments)?;
-    if let Product::AlphaShape(_) = arguments.product() {
-        alpha_shape::require(arguments, arguments.output.as_deref())?;
+    match arguments.product() {
+        Product::AlphaShape(_) => alpha_shape::require(arguments, arguments.output.as_deref())?,
+        Product::Surface => scan::require(arguments, arguments.output.as_deref())?,
+        _ if arguments.volume => scan::require(arguments, None)?,
+        _ => {}
     }
     if let Some(output) = &arguments.output {
         output::require_place(output)?;
         match arguments.product() {
             Product::Mesh => output::require_stream_format(output, arguments.output_format())?,
             Product::Filtration(_) => filtration::require(arguments, output)?,
-            Product::AlphaShape(_) => {}
+            Product::AlphaShape(_) | Product::Surface => {}
         }
         if arguments.attributes.is_some() {
             output::require_attributes(output, arguments.output_format())?;
@@ -143,7 +156,7 @@ fn require_parts(mesh: &Mesh, arguments: &Arguments) -> Result<(), Failure> {
 fn require_output_format(mesh: &Mesh, output: &Path, arguments: &Arguments) -> Result<(), Failure> {
     let required = match arguments.product() {
         Product::Mesh => output::require_format(mesh, output, arguments.output_format()),
-        Product::Filtration(_) => Ok(()),
+        Product::Filtration(_) | Product::Surface => Ok(()),
         Product::AlphaShape(_) => alpha_shape::require_dimension(mesh, output),
     };
     required.map_err(|failure| match mesh.inputs().dim() {
@@ -171,7 +184,29 @@ fn tell(summary: &Summary<'_>) -> Result<(), Failure> {
     }
 }
 
+/// Makes the mesh, and the surface if one is asked for.
 fn make(
+    mesh: &mut Mesh,
+    origins: &Origins,
+    arguments: &Arguments,
+    display: &Display,
+) -> Result<Option<scan::Found>, Failure> {
+    let enclosed = match arguments.volume {
+        true => {
+            let _stage = display.stage("surface");
+            Some(scan::replace(mesh, arguments.meshing.options.threads)?)
+        }
+        false => None,
+    };
+    make_mesh(mesh, origins, arguments, display)?;
+    if arguments.product() == Product::Surface {
+        let _stage = display.stage("surface");
+        return scan::find(mesh).map(Some);
+    }
+    Ok(enclosed)
+}
+
+fn make_mesh(
     mesh: &mut Mesh,
     origins: &Origins,
     arguments: &Arguments,
@@ -202,6 +237,7 @@ fn make(
 /// Writes what was asked for.
 fn write(
     mesh: &Mesh,
+    scan: Option<&scan::Found>,
     arguments: &Arguments,
     display: &Display,
 ) -> Result<Option<alpha_shape::Measured>, Failure> {
@@ -214,6 +250,10 @@ fn write(
         (Product::Filtration(kind), Some(output)) => {
             let _stage = display.stage("filtration");
             filtration::write(mesh, kind, output, arguments)?;
+        }
+        (Product::Surface, Some(output)) => {
+            let _stage = display.stage("writing");
+            scan.map_or(Ok(()), |found| scan::write(mesh, &found.surface, output))?;
         }
         (Product::Mesh, Some(output)) => write_mesh(mesh, output, arguments, display)?,
         (_, None) => {}

@@ -8,6 +8,7 @@ use crate::input::{self, Further};
 use crate::numbers::{counted, duration, grouped, measure};
 use crate::part;
 use crate::repairs::Repairs;
+use crate::scan::Found;
 use crate::standard;
 use netmesh::quality::Quality;
 use netmesh::validate::Report;
@@ -39,6 +40,7 @@ pub struct Summary<'a> {
     pub triangulation: &'a Triangulation,
     pub quality: &'a Quality,
     pub alpha_shape: Option<&'a Measured>,
+    pub scan: Option<&'a Found>,
     pub histograms: Option<&'a Histograms>,
     pub report: Option<&'a Report>,
     pub times: &'a Times,
@@ -56,6 +58,7 @@ impl Summary<'_> {
         self.add_facets(&mut lines);
         self.add_quality(&mut lines);
         self.add_alpha_shape(&mut lines);
+        self.add_surface(&mut lines);
         if self.arguments.stats {
             self.add_stats(&mut lines);
             self.add_instruments(&mut lines);
@@ -322,6 +325,27 @@ impl Summary<'_> {
         });
         parts.push(format!("Euler characteristic {}", topology.euler_characteristic));
         lines.add("", parts.join(", "));
+    }
+
+    fn add_surface(&self, lines: &mut Lines) {
+        let Some(Found { surface, points, volume }) = self.scan else { return };
+        let is_plane = self.triangulation.dim == 2;
+        let facets = surface.facets.len() / self.triangulation.dim;
+        let (one, many) = if is_plane { ("edge", "edges") } else { ("triangle", "triangles") };
+        let shells = surface.shells.len() as u64;
+        let (part, parts) = if is_plane { ("curve", "curves") } else { ("shell", "shells") };
+        let mut found = vec![counted(facets as u64, one, many), counted(shells, part, parts)];
+        if !is_plane {
+            let handles = surface.shells.iter().map(|shell| shell.genus).sum();
+            found.push(counted(handles, "handle", "handles"));
+        }
+        found.push(format!("{} {}", if is_plane { "area" } else { "volume" }, measure(*volume)));
+        lines.add("surface", found.join(", "));
+        let left_out = surface.left_out.len() as u64;
+        if left_out > 0 {
+            let of = grouped(*points as u64);
+            lines.add("", format!("{} of {of} not on it", counted(left_out, "point", "points")));
+        }
     }
 
     fn add_stats(&self, lines: &mut Lines) {

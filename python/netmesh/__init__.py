@@ -50,6 +50,7 @@ from ._results import (
 )
 from ._shape import AlphaShape, FaceClass
 from ._spatial import SpatialMesh, offset_hull, representatives, spatial_mesh
+from ._surface import Surface, surface
 from ._voronoi import Voronoi
 
 __all__ = [
@@ -89,6 +90,7 @@ __all__ = [
     "SpatialMesh",
     "StateError",
     "Stats",
+    "Surface",
     "VertexKind",
     "Violation",
     "Voronoi",
@@ -103,6 +105,7 @@ __all__ = [
     "offset_hull",
     "representatives",
     "spatial_mesh",
+    "surface",
     "triangulate_facets",
 ]
 

@@ -17,6 +17,7 @@ mod reading;
 mod selection;
 mod shapes;
 mod sizes;
+mod surface;
 mod topology;
 mod voronoi;
 
@@ -34,6 +35,8 @@ mod _netmesh {
     use crate::progress::Progress;
     #[pymodule_export]
     use crate::reading::{read_file, read_geojson};
+    #[pymodule_export]
+    use crate::surface::SurfaceCore;
     #[pymodule_export]
     use crate::topology::FiltrationCore;
 

@@ -58,7 +58,7 @@ fn circumcenter<const D: usize>(mesh: &Triangulation, simplex: u32) -> ([f64; D]
 
 /// Returns the circumcentre of a simplex with an error of at most [`ACCEPTED`] radii; NaN for a
 /// flat simplex.
-pub(super) fn accurate_center<const D: usize>(points: &[&[f64; D]]) -> Center<D> {
+pub(crate) fn accurate_center<const D: usize>(points: &[&[f64; D]]) -> Center<D> {
     let ball = Circumball::new(points);
     // The error of one that cannot be used is infinite.
     if ball.error() < ACCEPTED * norm(&ball.center) && ball.error().is_finite() {

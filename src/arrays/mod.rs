@@ -43,6 +43,7 @@ mod walk;
 
 pub use bounding_box::placements_in_box;
 pub use circumcenters::Circumcenters;
+pub(crate) use circumcenters::accurate_center;
 pub use convex_hull::ConvexHull;
 pub use faces::{Facets, Hull};
 pub use groups::{Arrays, Group};

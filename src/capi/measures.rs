@@ -146,7 +146,7 @@ fn encode_stats(stats: &Stats) -> nm_stats {
     }
 }
 
-fn encode_report(report: &Report) -> nm_report {
+pub(super) fn encode_report(report: &Report) -> nm_report {
     let first = report.first.as_ref();
     let mut message = [0; 160];
     let text = prefix(first.map_or("", |violation| &violation.message), message.len() - 1);

@@ -48,6 +48,8 @@ mod topology;
 
 mod alpha_shapes;
 
+mod surfaces;
+
 #[cfg(test)]
 mod alpha_shape_tests;
 #[cfg(test)]
@@ -126,6 +128,11 @@ pub use run::nm_run;
 pub use structs::{
     nm_alpha_shape, nm_counts, nm_domain, nm_left_out, nm_options, nm_progress, nm_progress_fn,
     nm_quality, nm_report, nm_selection, nm_stats,
+};
+pub use surfaces::{
+    nm_export_surface, nm_mesh_get_surface_facets, nm_mesh_get_surface_genera,
+    nm_mesh_get_surface_insides, nm_mesh_get_surface_left_out, nm_mesh_surface,
+    nm_mesh_validate_surface, nm_surface,
 };
 pub use topology::{
     nm_export_filtration, nm_mesh_filtration, nm_mesh_filtration_factor, nm_mesh_get_coface_starts,

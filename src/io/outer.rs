@@ -8,7 +8,9 @@ pub(super) type Side = (u32, u32);
 
 /// Returns the sides of tetrahedra without a neighbour, each as a triangle that is counterclockwise
 /// as seen from outside.
-pub(super) fn outer_triangles(mesh: &Triangulation) -> impl Iterator<Item = (Side, [u32; 3])> {
+pub(super) fn outer_triangles(
+    mesh: &Triangulation,
+) -> impl Iterator<Item = (Side, [u32; 3])> + Clone {
     const SIDES: [[usize; 3]; 4] = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
     let all = mesh.simplices.chunks_exact(4).zip(mesh.neighbors.chunks_exact(4)).zip(0u32..);
     all.flat_map(|((vertices, neighbors), simplex)| {

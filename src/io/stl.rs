@@ -206,7 +206,18 @@ fn expected(line: &Line<'_>, what: &str) -> crate::error::Error {
 /// # Errors
 /// `InvalidArgument`, naming the vertices and the rule; `Limit` (more triangles than STL counts).
 pub(super) fn check_precision(mesh: &Triangulation) -> Result<()> {
-    for (_, vertices) in outer_triangles(mesh) {
+    check_triangles(mesh, outer_triangles(mesh).map(|(_, vertices)| vertices))
+}
+
+/// Fails if single precision does not hold some triangles of a mesh in space.
+///
+/// # Errors
+/// Those of [`check_precision`].
+pub(super) fn check_triangles(
+    mesh: &Triangulation,
+    triangles: impl Iterator<Item = [u32; 3]> + Clone,
+) -> Result<()> {
+    for vertices in triangles.clone() {
         let corners = vertices.map(|vertex| single(mesh, vertex));
         for (corner, vertex) in corners.iter().zip(vertices) {
             if let Some(axis) = corner.iter().position(|x| x.is_infinite()) {
@@ -228,7 +239,7 @@ pub(super) fn check_precision(mesh: &Triangulation) -> Result<()> {
             )));
         }
     }
-    let count = outer_triangles(mesh).count();
+    let count = triangles.count();
     if u32::try_from(count).is_err() {
         let message = message!("the boundary has {count} triangles; STL counts {}", u32::MAX);
         return Err(Error::new(ErrorKind::Limit, message));
@@ -245,11 +256,20 @@ fn single(mesh: &Triangulation, vertex: u32) -> [f32; 3] {
 /// Writes the boundary of a mesh in space as binary data, whose triangles are counterclockwise as
 /// seen from outside, where their normals point to.
 pub(super) fn write(mesh: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
+    write_triangles(mesh, outer_triangles(mesh).map(|(_, vertices)| vertices), out)
+}
+
+/// Writes triangles of a mesh in space as binary data.
+pub(super) fn write_triangles(
+    mesh: &Triangulation,
+    triangles: impl Iterator<Item = [u32; 3]> + Clone,
+    out: &mut dyn Write,
+) -> io::Result<()> {
     let mut head = [b' '; 80];
     head[..TITLE.len()].copy_from_slice(TITLE);
     out.write_all(&head)?;
-    out.write_all(&(outer_triangles(mesh).count() as u32).to_le_bytes())?;
-    for (_, vertices) in outer_triangles(mesh) {
+    out.write_all(&(triangles.clone().count() as u32).to_le_bytes())?;
+    for vertices in triangles {
         let corners = vertices.map(|vertex| single(mesh, vertex));
         let rows = [normal(vertices.map(|vertex| mesh.point(vertex)))].into_iter().chain(corners);
         for x in rows.flatten() {

@@ -1,7 +1,7 @@
 //! Surfaces: some facets of a mesh and their vertices.
 
 use super::text::write_point;
-use super::{Buffered, io_error, replace};
+use super::{Buffered, io_error, replace, stl};
 use crate::error::{Error, Result, message};
 use crate::memory::{collected, filled};
 use crate::mesh::{Inputs, NONE, Triangulation};
@@ -16,10 +16,15 @@ pub enum SurfaceFormat {
     Ply,
     /// Geomview's `OFF`. In the plane its faces have two vertices.
     Off,
+    /// Binary `STL`, with single precision; in 3D.
+    Stl,
+    /// Wavefront's `OBJ`; lines in the plane.
+    Obj,
 }
 
 impl SurfaceFormat {
-    /// Returns the format that a path's extension stands for: `.ply` or `.off`.
+    /// Returns the format that a path's extension stands for: `.ply`, `.off`, `.stl` or
+    /// `.obj`.
     ///
     /// # Errors
     /// `InvalidArgument` for another one.
@@ -27,8 +32,10 @@ impl SurfaceFormat {
         match path.extension().and_then(|extension| extension.to_str()) {
             Some("ply") => Ok(Self::Ply),
             Some("off") => Ok(Self::Off),
+            Some("stl") => Ok(Self::Stl),
+            Some("obj") => Ok(Self::Obj),
             _ => Err(Error::invalid(message!(
-                "{}: the extension names no format of surfaces; use .ply or .off",
+                "{}: the extension names no format of surfaces; use .ply, .off, .stl or .obj",
                 path.display()
             ))),
         }
@@ -38,7 +45,7 @@ impl SurfaceFormat {
 /// Writes facets (`dim` vertices each) of a mesh in 2D or 3D, and the vertices that they have.
 ///
 /// # Errors
-/// `InvalidArgument` (another dimension); `Io`: `out` fails, it is not called again; `OutOfMemory`.
+/// `InvalidArgument` (another dimension; what STL cannot hold); `Io`: `out` fails, it is not called again; `OutOfMemory`.
 pub fn write_surface(
     inputs: &Inputs,
     mesh: &Triangulation,
@@ -47,6 +54,7 @@ pub fn write_surface(
     out: &mut dyn Write,
 ) -> Result<()> {
     let surface = Surface::new(inputs, mesh, facets)?;
+    surface.check(format)?;
     let mut buffered = Buffered::new(1 << 16, out)?;
     let written = surface.write(format, &mut buffered).and_then(|()| buffered.flush());
     written.map_err(|error| io_error("cannot write", &error))
@@ -68,6 +76,7 @@ pub fn write_surface_file(
         Some(mut stream) => write_surface(inputs, mesh, facets, format, &mut stream),
         None => {
             let surface = Surface::new(inputs, mesh, facets)?;
+            surface.check(format)?;
             replace::replace(&[(path, &|out| surface.write(format, out))])
         }
     }
@@ -104,7 +113,26 @@ impl<'a> Surface<'a> {
         match format {
             SurfaceFormat::Ply => self.write_ply(out),
             SurfaceFormat::Off => self.write_off(out),
+            SurfaceFormat::Stl => stl::write_triangles(self.mesh, self.triangles(), out),
+            SurfaceFormat::Obj => self.write_obj(out),
         }
+    }
+
+    /// Fails if the format cannot hold the surface.
+    fn check(&self, format: SurfaceFormat) -> Result<()> {
+        match (format, self.mesh.dim) {
+            (SurfaceFormat::Stl, 3) => stl::check_triangles(self.mesh, self.triangles()),
+            (SurfaceFormat::Stl, dim) => {
+                let message = message!("STL has triangles in space, and the mesh is {dim}D");
+                Err(Error::invalid(message))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Returns the facets of a mesh in space.
+    fn triangles(&self) -> impl Iterator<Item = [u32; 3]> + Clone + '_ {
+        self.facets.chunks_exact(3).map(|facet| [facet[0], facet[1], facet[2]])
     }
 
     /// Returns the new numbers of the vertices of each facet.
@@ -144,6 +172,21 @@ impl<'a> Surface<'a> {
                 out.write_all(&[3])?;
             }
             row.try_for_each(|number| out.write_all(&number.to_le_bytes()))?;
+        }
+        Ok(())
+    }
+
+    fn write_obj(&self, out: &mut dyn Write) -> io::Result<()> {
+        writeln!(out, "# netmesh: a surface")?;
+        for &vertex in &self.vertices {
+            out.write_all(b"v ")?;
+            write_point(out, self.mesh.point(vertex), " ")?;
+            out.write_all(if self.mesh.dim == 2 { b" 0\n" } else { b"\n" })?;
+        }
+        for mut row in self.rows() {
+            out.write_all(if self.mesh.dim == 2 { b"l" } else { b"f" })?;
+            row.try_for_each(|number| write!(out, " {}", number + 1))?;
+            out.write_all(b"\n")?;
         }
         Ok(())
     }
@@ -228,6 +271,6 @@ mod tests {
             write_surface(mesh.inputs(), triangulation, &[], SurfaceFormat::Off, &mut out);
         assert!(written.unwrap_err().message().contains("the mesh is 4D"));
         let error = SurfaceFormat::from_path(Path::new("a.vtu")).unwrap_err();
-        assert!(error.message().contains("use .ply or .off"));
+        assert!(error.message().contains("use .ply, .off, .stl or .obj"));
     }
 }

@@ -16,6 +16,7 @@ use crate::mesh::{Attribute, Intersection, Mesh, OddEdge, Triangulation};
 use crate::netmesh;
 use crate::options::{self, Algorithm, Options};
 use crate::query::{self, Among, Index, SimplexBoxes, Values, Work};
+use crate::surface::Surface;
 use crate::topology::{self, Faces, Filtration};
 use kept::Kept;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -33,6 +34,7 @@ pub struct Prepared {
     faces: Once<Faces>,
     alpha: Once<Filtration>,
     distances: Once<Filtration>,
+    surface: Once<Surface>,
     intersections: Once<Vec<Intersection>>,
     odd_edges: Once<Vec<OddEdge>>,
     kept: Kept,
@@ -179,6 +181,15 @@ impl Prepared {
         let (result, faces) = (mesh.result()?, self.faces(mesh, threads)?);
         let index = self.index(mesh)?;
         self.distances.get_or_make(|| topology::distances(result, faces, index, threads))
+    }
+
+    /// Returns the surface through the inputs.
+    ///
+    /// # Errors
+    /// `State` before a run, and those of [`Surface::through`].
+    pub fn surface(&self, mesh: &Mesh) -> Result<&Surface> {
+        let result = mesh.result()?;
+        self.surface.get_or_make(|| Surface::through(result))
     }
 
     /// Returns the intersections of the facets and segments that the mesh was given last, in space.

@@ -191,6 +191,6 @@ impl<const D: usize> Frame<D> {
 }
 
 #[inline]
-pub(super) fn dot<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
+pub(crate) fn dot<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
     (0..D).fold(0.0, |sum, i| sum + a[i] * b[i])
 }

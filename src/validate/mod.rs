@@ -39,12 +39,14 @@ pub mod parts;
 mod report;
 mod signs;
 mod sizes;
+mod surface;
 #[cfg(test)]
 mod tests;
 mod winding;
 
 pub use boundary::Outline;
 pub use report::{Report, Violation, ViolationKind};
+pub use surface::validate_surface;
 
 use crate::error::{Error, Result, message};
 use crate::memory::{AllocResult, TryGrow, collected};

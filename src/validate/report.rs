@@ -59,6 +59,14 @@ pub enum ViolationKind {
     /// The simplices that are given for a subfacet are not those that have it, on these sides.
     SubfacetSimplices = 21,
 
+    /// A ridge of a surface, an edge in space, is not between two facets that have it in opposite
+    /// directions.
+    SurfaceRidge = 22,
+    /// The facets of a surface round a vertex are not connected at that vertex.
+    SurfaceFan = 23,
+    /// A vertex is on a surface and said to be left out, or neither.
+    SurfaceVertices = 24,
+
     /// Ids of a mesh on several ranks do not rise, are out of range, or are counted from different
     /// numbers by two ranks.
     Ids = 51,
@@ -110,6 +118,8 @@ pub enum ViolationKind {
     /// Triangles of the caller's are one facet and may not be, or subfacets belong to no facet of
     /// the caller's and are not on the boundary of a hull or box.
     FacetGroup = 115,
+    /// A facet of a surface is no face of the mesh, or is there twice.
+    SurfaceFace = 116,
 
     /// An input's vertex does not exist or has other coordinates.
     InputVertex = 201,
@@ -182,7 +192,7 @@ pub enum ViolationKind {
 
 impl ViolationKind {
     /// Every kind, in the order of the values.
-    pub const ALL: [Self; 75] = [
+    pub const ALL: [Self; 79] = [
         Self::None,
         Self::ArrayLength,
         Self::NonFinite,
@@ -205,6 +215,9 @@ impl ViolationKind {
         Self::BoundaryArrays,
         Self::DomainArrays,
         Self::SubfacetSimplices,
+        Self::SurfaceRidge,
+        Self::SurfaceFan,
+        Self::SurfaceVertices,
         Self::Ids,
         Self::SharedVertex,
         Self::VertexOwner,
@@ -228,6 +241,7 @@ impl ViolationKind {
         Self::FacetArea,
         Self::FacetPlane,
         Self::FacetGroup,
+        Self::SurfaceFace,
         Self::InputVertex,
         Self::InputBits,
         Self::VertexKind,

@@ -1,0 +1,154 @@
+"""Surfaces through points: closed surfaces in space, closed curves in the plane."""
+
+from __future__ import annotations
+
+import functools
+import os
+from typing import Any, Tuple, Union
+
+import numpy as np
+
+from ._arrays import fixed
+from ._errors import InternalError
+from ._mesh import Mesh, mesh
+from ._netmesh import SurfaceCore
+
+
+class Surface:
+    """A closed surface through points. `surface` makes it.
+
+    It is a manifold without intersections, oriented outwards, and its vertices are points that were
+    given. `mesh` takes one in space and meshes what it encloses, as anything with ``vertices`` and
+    ``faces``.
+
+    Examples
+    --------
+    >>> import netmesh
+    >>> cube = netmesh.surface([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
+    >>> cube.faces.shape, cube.genera, cube.volume
+    ((12, 3), (0,), 1.0)
+    >>> part = netmesh.mesh(cube, max_edge=0.5)
+    >>> round(float(part.volumes().sum()), 12)
+    1.0
+    """
+
+    def __init__(self, triangulation: Mesh) -> None:
+        #: The Delaunay triangulation whose simplices are inside or outside.
+        self.triangulation = triangulation
+        self._core: SurfaceCore = triangulation._core.surface()
+        #: Number of handles of each connected part: 0 for a sphere, 1 for a torus, 0 in the plane.
+        self.genera: Tuple[int, ...] = tuple(self._core.genera())
+        #: The volume that it encloses; an area in the plane.
+        self.volume: float = self._core.volume()
+
+    def __reduce__(self) -> tuple:
+        return Surface, (self.triangulation,)
+
+    def __repr__(self) -> str:
+        kind = "faces" if self.vertices.shape[1] == 3 else "facets"
+        return (
+            f"<netmesh.Surface: {len(self.vertices)} vertices, {len(self.facets)} {kind}, "
+            f"genera {self.genera}, {len(self.left_out)} points left out>"
+        )
+
+    @functools.cached_property
+    def _apart(self) -> Tuple[np.ndarray, np.ndarray]:
+        vertices, facets = self._core.apart()
+        return fixed(vertices), fixed(facets)
+
+    @property
+    def vertices(self) -> np.ndarray:
+        """Points that are on the surface: float64, shape (vertices, dim), in the order given."""
+        return self._apart[0]
+
+    @property
+    def facets(self) -> np.ndarray:
+        """Triangles, or edges in the plane: int32, shape (facets, dim), rows of `vertices`.
+
+        They are oriented outwards.
+        """
+        return self._apart[1]
+
+    @property
+    def faces(self) -> np.ndarray:
+        """The triangles of a surface in space, as `facets`.
+
+        Raises
+        ------
+        AttributeError
+            In the plane.
+        """
+        if self.vertices.shape[1] != 3:
+            raise AttributeError("a curve in the plane has facets, and no faces")
+        return self.facets
+
+    @functools.cached_property
+    def point_facets(self) -> np.ndarray:
+        """The facets by the numbers of the points that were given, of equal ones the first."""
+        return fixed(self._core.point_facets())
+
+    @functools.cached_property
+    def left_out(self) -> np.ndarray:
+        """Points that are not on the surface: int32, ascending; of equal ones the first."""
+        return fixed(self._core.left_out())
+
+    @functools.cached_property
+    def is_inside(self) -> np.ndarray:
+        """True for the simplices of `triangulation` that are inside: bool, shape (simplices,)."""
+        return fixed(self._core.is_inside())
+
+    def validate(self) -> None:
+        """Check the triangulation and the surface with the independent certificate checker.
+
+        Raises
+        ------
+        InternalError
+            The certificate is violated, which is a defect of netmesh; the message has the first
+            violation.
+        """
+        violations, first = self._core.validate()
+        if violations:
+            raise InternalError(f"the certificate has {violations} violations, the first: {first}")
+
+    def export(self, path: Union[str, os.PathLike]) -> None:
+        """Write a ``.ply``, ``.off``, ``.stl`` or ``.obj`` file, which appears complete or not at all.
+
+        STL has single precision, and holds surfaces in space alone.
+        """
+        self._core.export(path)
+
+
+def surface(points: Any, *, threads: int = 1) -> Surface:
+    """Find the closed surface that points were sampled from; closed curves in the plane.
+
+    No normals are asked for. Where the points are dense for the curvature and thickness of the
+    surface that they are on, the result has its topology; outliers, and points that noise moved off
+    it, are left out. What is open is closed somehow.
+
+    Parameters
+    ----------
+    points : array_like of float, shape (n, 2) or (n, 3)
+        Points on a surface, in any order.
+    threads : int
+        0 for all cores. The result does not depend on it.
+
+    Returns
+    -------
+    Surface
+        Without facets if the points tell of no inside.
+
+    Raises
+    ------
+    Error
+        `InvalidArgumentError`, `DegenerateInputError` (all points on a plane), `LimitError`,
+        `OutOfMemoryError`.
+
+    Examples
+    --------
+    >>> import numpy as np, netmesh
+    >>> angle = np.linspace(0, 2 * np.pi, 40, endpoint=False)
+    >>> circle = netmesh.surface(np.c_[np.cos(angle), np.sin(angle)])
+    >>> circle.facets.shape, len(circle.left_out), round(circle.volume, 3)
+    ((40, 2), 0, 3.129)
+    """
+    return Surface(mesh(points, algorithm="delaunay", threads=threads))

@@ -33,7 +33,7 @@
 // (netmesh/topology.hpp), questions about points (netmesh/queries.hpp), segments, facets and regions
 // (netmesh/boundary.hpp), files and streams (netmesh/writers.hpp). The bases' names are no interface.
 //
-// ALPHA SHAPES: netmesh/alpha_shape.hpp.
+// ALPHA SHAPES: netmesh/alpha_shape.hpp. SURFACES through points: netmesh/surface.hpp.
 //
 // ADAPTERS. Points from other layouts: netmesh/strided.hpp. CGAL, TetGen and Eigen: netmesh/cgal.hpp,
 // netmesh/tetgen.hpp, netmesh/eigen.hpp.

@@ -30,7 +30,7 @@ pub fn require(arguments: &Arguments, path: Option<&Path>) -> Result<(), Failure
 fn format(path: &Path) -> Result<SurfaceFormat, Failure> {
     if standard::is_meant(path) {
         let message = "standard output has no name that tells the format of a surface; name a file \
-                       that ends with .ply or .off";
+                       that ends with .ply, .off, .stl or .obj";
         return Err(Failure::new(ExitCode::Usage, message));
     }
     SurfaceFormat::from_path(path)

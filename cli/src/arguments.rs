@@ -82,7 +82,7 @@ pub struct Arguments {
     /// Make the alpha shape of the input instead of a mesh: the faces of its Delaunay triangulation
     /// up to an alpha value. ALPHA is a squared radius; "connected", the least for which the shape
     /// is; or "optimal", the least for which its simplices reach all points and are one piece. The
-    /// output is its boundary, a file that ends with .ply or .off; the summary has its topology
+    /// output is its boundary, a file that ends with .ply, .off, .stl or .obj; the summary has its topology
     #[arg(long, value_name = "ALPHA", value_parser = parse_alpha, allow_negative_numbers = true)]
     #[arg(
         conflicts_with_all = ["output_format", "attributes", "filtration", "finish", "hierarchical"]

@@ -59,7 +59,7 @@ fn what_makes_no_shape_is_refused_before_the_work() {
         ("--alpha-shape -1 -o a.off", "squared radius of at least 0"),
         ("--alpha-shape nan", "squared radius of at least 0"),
         ("--alpha-shape best", "connected or optimal"),
-        ("--alpha-shape 1 -o a.vtu", "use .ply or .off"),
+        ("--alpha-shape 1 -o a.vtu", "use .ply, .off, .stl or .obj"),
         ("--alpha-shape 1 -o -", "standard output has no name"),
         ("--alpha-shape 1 --algorithm svr", "leave --algorithm svr out"),
         ("--alpha-shape 1 --finish", "--finish"),

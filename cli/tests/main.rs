@@ -13,6 +13,7 @@ mod polygons;
 mod refusals;
 mod sample;
 mod sizes;
+mod surface;
 mod terminal;
 mod viewer;
 mod workbench;

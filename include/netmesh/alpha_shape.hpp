@@ -78,7 +78,7 @@ public:
             static_cast<std::size_t>(counted->dim));
     }
 
-    // Writes the boundary to a file that ends with .ply or .off.
+    // Writes the boundary to a file that ends with .ply, .off, .stl or .obj.
     result<void> try_save(const std::string &path_utf8) const {
         return detail::outcome(nm_export_alpha_shape(mesh_->get(), alpha_, path_utf8.c_str()));
     }

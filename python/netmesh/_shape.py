@@ -110,7 +110,9 @@ class AlphaShape:
         return self._core.shape_boundary(self.alpha)
 
     def export(self, path: Union[str, os.PathLike]) -> None:
-        """Write the boundary to a ``.ply`` or ``.off`` file, which appears complete or not at all.
+        """Write the boundary to a ``.ply``, ``.off``, ``.stl`` or ``.obj`` file.
+
+        The file appears complete or not at all. STL has single precision, and no edges of 2D.
 
         In 3D it consists of triangles, in 2D of edges.
 

@@ -188,7 +188,8 @@ unsafe fn find_alpha(
 /// Writes the boundary of nm_mesh_get_alpha_shape_boundary to a file, which appears complete or not
 /// at all, with the vertices that it has: triangles in 3D, edges in 2D.
 ///
-/// path_utf8: UTF-8 on every system; it ends with .ply or .off.
+/// path_utf8: UTF-8 on every system; it ends with .ply, .off, .stl (in 3D, with single
+/// precision) or .obj.
 ///
 /// Errors: as nm_mesh_alpha_shape; NM_NULL_ARGUMENT (path_utf8), NM_INVALID_ARGUMENT (path_utf8
 /// empty, not UTF-8, or with another extension; a mesh of four dimensions or more), NM_IO (the

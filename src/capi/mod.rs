@@ -55,6 +55,8 @@ mod alpha_shape_tests;
 #[cfg(test)]
 mod array_tests;
 #[cfg(test)]
+mod surface_tests;
+#[cfg(test)]
 mod topology_tests;
 
 mod attributes;

@@ -1,0 +1,100 @@
+// The surface through points, through netmesh/surface.hpp: each number against what the facets say.
+#include <netmesh/surface.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "check.hpp"
+
+namespace {
+
+constexpr std::size_t on_torus = 2400;
+
+// Points of a torus of radii 2 and 1 on a twisted grid, and two far from it.
+std::vector<double> torus() {
+    const double turn = 6.283185307179586;
+    std::vector<double> points;
+    for (std::size_t i = 0; i < on_torus; ++i) {
+        const double u = turn * (double(i % 60) / 60), v = turn * (double(i / 60) / 40 + double(i % 60) / 2400);
+        const double reach = 2 + std::cos(v);
+        points.insert(points.end(), {reach * std::cos(u), reach * std::sin(u), std::sin(v)});
+    }
+    points.insert(points.end(), {0, 0, 9, 0, 0, -9});
+    return points;
+}
+
+netmesh::mesh triangulated(std::uint32_t dim, const std::vector<double>& points) {
+    netmesh::mesh mesh(dim, points);
+    netmesh::options options;
+    options.algorithm = NM_ALGORITHM_DELAUNAY;
+    mesh.run(options);
+    return mesh;
+}
+
+void check_torus(const std::string& scratch) {
+    const std::vector<double> points = torus();
+    const netmesh::mesh mesh = triangulated(3, points);
+    const netmesh::surface surface(mesh);
+    const nm_surface measures = surface.measures();
+    CHECK(measures.shells == 1 && measures.handles == 1 && measures.vertices == on_torus);
+    CHECK(measures.facets == 2 * on_torus && measures.left_out == 2);
+    CHECK(surface.left_out() == (std::vector<std::uint32_t>{on_torus, on_torus + 1}));
+    CHECK(surface.genera() == std::vector<std::uint64_t>{1});
+
+    // Each edge is there once in each direction, and the divergence theorem has the volume.
+    std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+    double volume = 0;
+    const auto facets = surface.facets();
+    for (auto facet : facets) {
+        for (int k = 0; k < 3; ++k) {
+            CHECK(edges.emplace(facet[k], facet[(k + 1) % 3]).second);
+        }
+        const double *a = &points[3 * facet[0]], *b = &points[3 * facet[1]], *c = &points[3 * facet[2]];
+        volume += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+                  a[2] * (b[0] * c[1] - b[1] * c[0]);
+    }
+    for (const auto& edge : edges) {
+        CHECK(edges.count({edge.second, edge.first}) == 1);
+    }
+    CHECK(std::abs(volume / 6 - measures.volume) < 1e-9 * measures.volume);
+    const double smooth = 2 * 9.869604401089358 * 2;
+    CHECK(std::abs(measures.volume / smooth - 1) < 0.02);
+
+    const auto insides = surface.insides();
+    CHECK(insides.size() == mesh.counts().simplices);
+    CHECK(std::count(insides.begin(), insides.end(), std::uint8_t(1)) > 0);
+    const nm_report report = surface.validate();
+    CHECK(report.violations == 0 && report.level == 3);
+    surface.save(scratch + "/torus.stl");
+}
+
+void check_refusals() {
+    const std::vector<double> square = {0, 0, 1, 0, 1, 1, 0, 1};
+    const netmesh::mesh mesh = triangulated(2, square);
+    CHECK(netmesh::surface(mesh).measures().volume == 1);
+    const auto saved = netmesh::surface(mesh).try_save("square.stl");
+    CHECK(!saved && saved.status() == NM_INVALID_ARGUMENT);
+    netmesh::mesh refined(2, square);
+    const auto early = netmesh::surface(refined).try_measures();
+    CHECK(!early && early.status() == NM_STATE);
+    refined.run();
+    const auto wrong = netmesh::surface(refined).try_facets();
+    CHECK(!wrong && wrong.status() == NM_INVALID_ARGUMENT);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CHECK(argc == 2);
+    check_torus(argv[1]);
+    check_refusals();
+    return 0;
+}

@@ -64,7 +64,8 @@ def by_pymeshlab(cloud, run):
 
 def pymeshlab_poisson(points):
     cloud = with_normals(points)
-    run = lambda meshes: meshes.generate_surface_reconstruction_screened_poisson(depth=depth(cloud), threads=1)  # noqa: E731
+    options = {"depth": depth(cloud), "threads": 1}
+    run = lambda meshes: meshes.generate_surface_reconstruction_screened_poisson(**options)  # noqa: E731
     return by_pymeshlab(cloud, run)
 
 

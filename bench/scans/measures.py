@@ -17,7 +17,7 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
-from samples import draw, read_surface
+from samples import draw, read_result, read_surface
 
 # Samples that distances are taken from, beside vertices and middles of triangles.
 SAMPLES = 200_000
@@ -178,7 +178,7 @@ def find_record(index, name):
 def main():
     if len(sys.argv) not in (3, 4):
         raise SystemExit(__doc__)
-    mesh = read_surface(sys.argv[1])
+    mesh = read_result(sys.argv[1])
     record = find_record(sys.argv[2], sys.argv[-1] if len(sys.argv) == 4 else sys.argv[1])
     print(json.dumps(measure(mesh.vertices, mesh.faces, record), indent=1))
 

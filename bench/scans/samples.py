@@ -35,13 +35,20 @@ KINDS = {"clean": (0, 0), "noise_10": (0.1, 0), "noise_30": (0.3, 0), "outliers"
 OUTLIER_BOX = 1.2
 
 
-def read_surface(path):
-    """Returns a triangle mesh whose equal points are one vertex, without unused vertices."""
+def read_surface(path, merges=True):
+    """Returns a triangle mesh without unused vertices; equal points are one vertex if `merges`."""
     mesh = trimesh.load(path, process=False, force="mesh")
     used, number = np.unique(mesh.faces, return_inverse=True)
-    vertices, merged = np.unique(np.asarray(mesh.vertices)[used], axis=0, return_inverse=True)
-    faces = merged.reshape(-1)[number.reshape(-1, 3)]
+    vertices, faces = np.asarray(mesh.vertices)[used], number.reshape(-1, 3)
+    if merges:
+        vertices, merged = np.unique(vertices, axis=0, return_inverse=True)
+        faces = merged.reshape(-1)[faces]
     return trimesh.Trimesh(vertices, faces, process=False)
+
+
+def read_result(path):
+    """Returns the mesh of a tool, whose vertices are those of the file; STL has points only."""
+    return read_surface(path, Path(path).suffix.lower() == ".stl")
 
 
 def draw(mesh, count, random):

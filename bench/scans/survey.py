@@ -21,7 +21,7 @@ from pathlib import Path
 import numpy as np
 
 from measures import find_record, measure
-from samples import read_surface
+from samples import read_result
 
 PEERS = ["cgal-front", "cgal-scale-space", "open3d-poisson", "pymeshlab-poisson", "open3d-ball", "pymeshlab-ball"]
 TOOLS = ["netmesh", *PEERS]
@@ -67,7 +67,7 @@ def survey(arguments, tool, record):
     mesh_file = folder / f"{name}.off"
     result = run(arguments, tool, Path(record["points"]), mesh_file)
     if "failure" not in result:
-        mesh = read_surface(mesh_file)
+        mesh = read_result(mesh_file)
         result |= measure(mesh.vertices, mesh.faces, record)
     (folder / f"{name}.json").write_text(json.dumps(result, indent=1))
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import warnings
-from typing import Any, Optional, Union
+from typing import Any, Literal, Optional, Union
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._arrays import contiguous, number
 from ._errors import GradientEstimationWarning, InvalidArgumentError
@@ -69,6 +70,8 @@ class CloughTocher2DInterpolator(SimplexInterpolator):
     True
     """
 
+    grad: NDArray[Any]
+
     def __init__(
         self,
         points: Any,
@@ -79,7 +82,7 @@ class CloughTocher2DInterpolator(SimplexInterpolator):
         rescale: bool = False,
         *,
         simplex_tol: Optional[float] = None,
-        outside: str = "fill",
+        outside: Literal["fill", "nearest"] = "fill",
         threads: int = 1,
     ) -> None:
         self._take_rules(simplex_tol, "simplex_tol", outside, threads)
@@ -87,13 +90,17 @@ class CloughTocher2DInterpolator(SimplexInterpolator):
         if self.points.shape[1] != 2:
             shape = self.points.shape
             raise InvalidArgumentError(f"points has shape {shape}; it must be (npoints, 2)")
-        of_columns, missed = estimate_gradients(
-            self._arrays, self._of_vertices, number(tol, "tol"), maxiter
-        )
+        of_columns, missed = self._gradients(number(tol, "tol"), maxiter)
         if missed:
             message = f"gradients have not converged to tol={tol} in maxiter={maxiter} sweeps"
             warnings.warn(message, GradientEstimationWarning, stacklevel=2)
         self.grad = self._of_points(of_columns)
+
+    def _gradients(self, tol: float, maxiter: int) -> tuple[np.ndarray, int]:
+        """Return the gradients at vertices, and the number of columns where they have not converged."""
+        if not self.values.shape[1]:
+            return np.zeros((len(self._of_vertices), 0, 2)), 0
+        return estimate_gradients(self._arrays, self._of_vertices, tol, maxiter)
 
     @property
     def _arrays(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

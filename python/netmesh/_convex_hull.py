@@ -8,15 +8,18 @@ import math
 from typing import Any, Optional
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._delaunay import Delaunay
+from ._incremental import Incremental
 from ._mesh import Mesh
+from ._scaling import scaled, scaled_rows, unscaled
 
 #: Determinants below this part of their largest possible value have the sign of the exact one only.
 _DOUBTFUL = 1e-12
 
 
-class ConvexHull:
+class ConvexHull(Incremental):
     """The convex hull of points in 2 to 8 dimensions, as `scipy.spatial.ConvexHull`.
 
     Which points are its vertices is decided exactly: none that is between others, and all that are
@@ -57,18 +60,19 @@ class ConvexHull:
     """
 
     good = None
+    simplices: NDArray[np.int32]
+    coplanar: NDArray[np.int32]
 
     def __init__(
         self, points: Any, incremental: bool = False, qhull_options: Optional[str] = None
     ) -> None:
-        self._delaunay = Delaunay(points, False, incremental, qhull_options)
-        self._make()
+        self._begin(points, False, incremental, qhull_options)
 
     def __repr__(self) -> str:
         return f"<netmesh.ConvexHull: dim {self.ndim}, {self.npoints} points, {self.nsimplex} facets>"
 
-    def _make(self) -> None:
-        tri = self._delaunay
+    def _make(self, points: np.ndarray) -> None:
+        tri = Delaunay(points)
         self.points = tri.points
         boundary = tri.mesh.hull.vertices
         corners = _corners(tri.mesh.points, boundary)
@@ -82,27 +86,11 @@ class ConvexHull:
         self.coplanar = np.zeros((0, 3), np.int32)
 
     @property
-    def ndim(self) -> int:
-        return self._delaunay.ndim
-
-    @property
-    def npoints(self) -> int:
-        return self._delaunay.npoints
-
-    @property
     def nsimplex(self) -> int:
         return len(self.simplices)
 
-    @property
-    def min_bound(self) -> np.ndarray:
-        return self._delaunay.min_bound
-
-    @property
-    def max_bound(self) -> np.ndarray:
-        return self._delaunay.max_bound
-
     @functools.cached_property
-    def vertices(self) -> np.ndarray:
+    def vertices(self) -> NDArray[np.int32]:
         if self.ndim != 2:
             return np.unique(self.simplices)
         # Facets of the plane have the inside on their left, or all of them on their right.
@@ -110,28 +98,29 @@ class ConvexHull:
         order = [min(after)]
         while after[order[-1]] != order[0]:
             order.append(after[order[-1]])
-        around = self.points[order] - self.points[order[0]]
+        corners = self._scaled[0][order]
+        around = corners - corners[0]
         x, y = (around / np.abs(around).max()).T
         turned = float(x @ np.roll(y, -1) - y @ np.roll(x, -1))
         found = order if turned > 0 else order[:1] + order[:0:-1]
         return np.fromiter(found, np.int32)
 
     @functools.cached_property
-    def neighbors(self) -> np.ndarray:
+    def neighbors(self) -> NDArray[np.int32]:
         return _neighbors(self._facets)
 
     @functools.cached_property
-    def equations(self) -> np.ndarray:
-        corners = self.points[self.simplices]
-        edges = corners[:, 1:] - corners[:, :1]
-        # Squares of small lengths are no doubles.
-        edges /= np.abs(edges).max(axis=2, keepdims=True)
+    def equations(self) -> NDArray[np.float64]:
+        points, exponent = self._scaled
+        corners = points[self.simplices]
+        edges = scaled_rows(corners[:, 1:] - corners[:, :1])
         edges /= np.linalg.norm(edges, axis=2, keepdims=True)
         normals = np.linalg.svd(edges)[2][:, -1]
         # The middle of the vertices is inside.
-        inside = self.points[self.vertices].mean(axis=0)
+        inside = points[self.vertices].mean(axis=0)
         normals *= -np.sign(np.einsum("fk,fk->f", normals, inside - corners[:, 0]))[:, None]
-        return np.column_stack([normals, -np.einsum("fk,fk->f", normals, corners[:, 0])])
+        offsets = -np.einsum("fk,fk->f", normals, corners[:, 0])
+        return np.column_stack([normals, unscaled(offsets, exponent)])
 
     @functools.cached_property
     def volume(self) -> float:
@@ -139,30 +128,15 @@ class ConvexHull:
 
     @functools.cached_property
     def area(self) -> float:
-        corners = self.points[self.simplices]
-        edges = corners[:, 1:] - corners[:, :1]
-        stretches = np.linalg.svd(edges, compute_uv=False)
-        return float(stretches.prod(axis=1).sum()) / math.factorial(self.ndim - 1)
+        points, exponent = self._scaled
+        corners = points[self.simplices]
+        stretches = np.linalg.svd(corners[:, 1:] - corners[:, :1], compute_uv=False)
+        found = float(stretches.prod(axis=1).sum()) / math.factorial(self.ndim - 1)
+        return float(unscaled(found, exponent * (self.ndim - 1)))
 
-    def add_points(self, points: Any, restart: bool = False) -> None:
-        """Add points: the hull of all is made anew, whatever `restart`.
-
-        Examples
-        --------
-        >>> from netmesh import ConvexHull
-        >>> hull = ConvexHull([[0, 0], [1, 0], [0, 1]], incremental=True)
-        >>> hull.add_points([[1, 1]])
-        >>> len(hull.vertices)
-        4
-        """
-        self._delaunay.add_points(points, restart)
-        for name in ("vertices", "neighbors", "equations", "volume", "area"):
-            self.__dict__.pop(name, None)
-        self._make()
-
-    def close(self) -> None:
-        """Accept no more points: `add_points` raises `StateError` from now on."""
-        self._delaunay.close()
+    @functools.cached_property
+    def _scaled(self) -> tuple[np.ndarray, int]:
+        return scaled(self.points)
 
 
 def _neighbors(facets: np.ndarray) -> np.ndarray:
@@ -211,9 +185,12 @@ def _faces(points: np.ndarray, facets: np.ndarray) -> np.ndarray:
     # The vertex of the second facet that the first has not.
     is_shared = (facets[second][:, :, None] == facets[first][:, None, :]).any(axis=2)
     apex = facets[second, np.argmin(is_shared, axis=1)]
-    edges = points[np.column_stack([facets[first][:, 1:], apex])] - points[facets[first][:, :1]]
-    lengths = np.linalg.norm(edges, axis=2)
-    doubtful = ~(np.abs(np.linalg.det(edges)) > _DOUBTFUL * lengths.prod(axis=1))
+    # Differences that are no doubles are infinite, their determinants not a number.
+    with np.errstate(over="ignore", invalid="ignore"):
+        edges = points[np.column_stack([facets[first][:, 1:], apex])] - points[facets[first][:, :1]]
+        edges = scaled_rows(edges)
+        lengths = np.linalg.norm(edges, axis=2)
+        doubtful = ~(np.abs(np.linalg.det(edges)) > _DOUBTFUL * lengths.prod(axis=1))
     for at in np.flatnonzero(doubtful):
         if _are_coplanar(points[facets[first[at]]], points[apex[at]]):
             a, b = sorted((_root(faces, first[at]), _root(faces, second[at])))

@@ -6,16 +6,15 @@ import functools
 from typing import Any, Optional
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ._arrays import contiguous, point_rows, query_points, tolerance
-from ._errors import InvalidArgumentError, NonFiniteError, StateError
+from ._arrays import contiguous, query_points, tolerance
+from ._errors import NonFiniteError
+from ._incremental import Incremental
 from ._mesh import Mesh
 
-#: Options of Qhull that tell how it deals with rounding errors, of which there are none here.
-_QHULL_OPTIONS = {"Qbb", "Qc", "Qj", "QJ", "Qt", "Qx", "Qz", "Q12", "Pp"}
 
-
-class Delaunay:
+class Delaunay(Incremental):
     """The Delaunay triangulation of points in 2 to 8 dimensions, as `scipy.spatial.Delaunay`.
 
     It is exact: every point is a vertex unless it equals an earlier one, no simplex is flat, and
@@ -91,20 +90,14 @@ class Delaunay:
         *,
         threads: int = 1,
     ) -> None:
-        if furthest_site:
-            raise InvalidArgumentError("furthest_site is True; only False is supported")
-        for option in (qhull_options or "").split():
-            if option not in _QHULL_OPTIONS:
-                raise InvalidArgumentError(f"qhull_options has {option}, which is not supported")
         self.furthest_site = False
         self.threads = threads
-        self._is_open = incremental
-        self._triangulate(point_rows(points))
+        self._begin(points, furthest_site, incremental, qhull_options)
 
     def __repr__(self) -> str:
         return f"<netmesh.Delaunay: dim {self.ndim}, {self.npoints} points, {self.nsimplex} simplices>"
 
-    def _triangulate(self, points: np.ndarray) -> None:
+    def _make(self, points: np.ndarray) -> None:
         self.mesh = Mesh._run(points, {"algorithm": "delaunay"})
         # The caller may change the array that was given.
         self.points = self.mesh.points if self._is_distinct else self.mesh._core.input_points()
@@ -114,41 +107,25 @@ class Delaunay:
         return len(self.mesh.points) == len(self.mesh.input_vertices)
 
     @property
-    def ndim(self) -> int:
-        return self.points.shape[1]
-
-    @property
-    def npoints(self) -> int:
-        return len(self.points)
-
-    @property
     def nsimplex(self) -> int:
         return len(self.mesh.simplices)
 
-    @functools.cached_property
-    def min_bound(self) -> np.ndarray:
-        return self.points.min(axis=0)
-
-    @functools.cached_property
-    def max_bound(self) -> np.ndarray:
-        return self.points.max(axis=0)
-
     @property
-    def _first_inputs(self) -> np.ndarray:
+    def _first_inputs(self) -> NDArray[np.int32]:
         """Array from each vertex of the mesh to the first of the points that it is."""
         return self.mesh.vertex_inputs
 
     @functools.cached_property
-    def simplices(self) -> np.ndarray:
+    def simplices(self) -> NDArray[np.int32]:
         simplices = self.mesh.simplices
         return simplices.copy() if self._is_distinct else self._first_inputs[simplices]
 
     @functools.cached_property
-    def neighbors(self) -> np.ndarray:
+    def neighbors(self) -> NDArray[np.int32]:
         return self.mesh.neighbors.copy()
 
     @functools.cached_property
-    def vertex_to_simplex(self) -> np.ndarray:
+    def vertex_to_simplex(self) -> NDArray[np.int32]:
         mesh = self.mesh
         of_vertices = np.empty(len(mesh.points), np.int32)
         # The first of several simplices remains.
@@ -157,17 +134,17 @@ class Delaunay:
         return of_vertices[mesh.input_vertices]
 
     @functools.cached_property
-    def coplanar(self) -> np.ndarray:
+    def coplanar(self) -> NDArray[np.int32]:
         own = self._first_inputs[self.mesh.input_vertices]
         points = np.flatnonzero(own != np.arange(self.npoints)).astype(np.int32)
         return np.column_stack([points, self.vertex_to_simplex[points], own[points]])
 
     @functools.cached_property
-    def convex_hull(self) -> np.ndarray:
+    def convex_hull(self) -> NDArray[np.int32]:
         return self._first_inputs[self.mesh.hull.vertices]
 
     @functools.cached_property
-    def vertex_neighbor_vertices(self) -> tuple[np.ndarray, np.ndarray]:
+    def vertex_neighbor_vertices(self) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
         starts, neighbors = self.mesh.vertex_neighbors
         if self._is_distinct:
             return starts.astype(np.int32), neighbors.copy()
@@ -177,7 +154,7 @@ class Delaunay:
         return np.cumsum(counts, dtype=np.int32), self._first_inputs[neighbors]
 
     @functools.cached_property
-    def transform(self) -> np.ndarray:
+    def transform(self) -> NDArray[np.float64]:
         corners = self.mesh.points[self.mesh.simplices]
         last = corners[:, -1]
         edges = np.swapaxes(corners[:, :-1] - last[:, None], 1, 2)
@@ -204,7 +181,7 @@ class Delaunay:
         return self._paraboloid[1]
 
     @functools.cached_property
-    def equations(self) -> np.ndarray:
+    def equations(self) -> NDArray[np.float64]:
         heights = self.lift_points(self.mesh.points)[:, -1][self.mesh.simplices]
         slopes = heights[:, :-1] - heights[:, -1:]
         gradients = np.einsum("sj,sjk->sk", slopes, self.transform[:, :-1])
@@ -212,7 +189,7 @@ class Delaunay:
         equations = np.column_stack([gradients, np.full(self.nsimplex, -1.0), offsets])
         return equations / np.linalg.norm(equations[:, :-1], axis=1, keepdims=True)
 
-    def lift_points(self, x: Any) -> np.ndarray:
+    def lift_points(self, x: Any) -> NDArray[np.float64]:
         """Lift points to the paraboloid: shape (..., ndim) to (..., ndim + 1).
 
         Examples
@@ -225,7 +202,7 @@ class Delaunay:
         heights = self.paraboloid_scale * np.einsum("...i,...i->...", x, x) + self.paraboloid_shift
         return np.concatenate([x, heights[..., None]], axis=-1)
 
-    def plane_distance(self, xi: Any) -> np.ndarray:
+    def plane_distance(self, xi: Any) -> NDArray[np.float64]:
         """Measure how far lifted points are from the hyperplanes of all simplices.
 
         Shape (..., ndim) to (..., nsimplex). Positive where the simplex's circumball holds the point.
@@ -241,7 +218,7 @@ class Delaunay:
 
     def find_simplex(
         self, xi: Any, bruteforce: bool = False, tol: Optional[float] = None
-    ) -> np.ndarray:
+    ) -> NDArray[np.int32]:
         """Find the simplices that hold points, by exact signs.
 
         Parameters
@@ -284,7 +261,7 @@ class Delaunay:
 
     def _places(
         self, rows: np.ndarray, allowed: float, threads: int
-    ) -> tuple[np.ndarray, np.ndarray]:
+    ) -> tuple[NDArray[np.int32], NDArray[np.float64]]:
         """Return the simplices that hold points, -1 outside, and barycentric coordinates there."""
         weigh = self.mesh._core.weigh
         finite = np.isfinite(rows).all(axis=1)
@@ -294,36 +271,6 @@ class Delaunay:
         weights = np.full((len(rows), self.ndim + 1), np.nan)
         simplices[finite], weights[finite] = weigh(contiguous(rows[finite]), allowed, threads)
         return simplices, weights
-
-    def add_points(self, points: Any, restart: bool = False) -> None:
-        """Add points: all are triangulated anew, whatever `restart`.
-
-        Parameters
-        ----------
-        points : array_like of float, shape (n, ndim)
-
-        Examples
-        --------
-        >>> from netmesh import Delaunay
-        >>> tri = Delaunay([[0, 0], [1, 0], [0, 1]], incremental=True)
-        >>> tri.add_points([[0.3, 0.3]])
-        >>> tri.npoints, tri.nsimplex
-        (4, 3)
-        """
-        if not self._is_open:
-            raise StateError("points can be added with incremental=True, until close()")
-        added = point_rows(points)
-        if added.shape[1] != self.ndim:
-            shape, ndim = added.shape, self.ndim
-            raise InvalidArgumentError(f"points has shape {shape}; it must be (n, {ndim})")
-        self._triangulate(np.concatenate([self.points, added]))
-        for name, attribute in vars(Delaunay).items():
-            if isinstance(attribute, functools.cached_property):
-                self.__dict__.pop(name, None)
-
-    def close(self) -> None:
-        """Accept no more points: `add_points` raises `StateError` from now on."""
-        self._is_open = False
 
 
 def _inverses(matrices: np.ndarray) -> np.ndarray:

@@ -6,6 +6,7 @@ import functools
 from typing import Optional
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._arrays import fixed
 from ._netmesh import Core
@@ -20,7 +21,7 @@ class Arrays:
     _selection: Optional[tuple[str, bool, Optional[int]]] = None
 
     @functools.cached_property
-    def edges(self) -> np.ndarray:
+    def edges(self) -> NDArray[np.int32]:
         """Edges, int32, shape (edges, 2): the lesser vertex first, in lexicographic order.
 
         Examples
@@ -90,12 +91,12 @@ class Arrays:
         return CSR(fixed(indptr), fixed(indices))
 
     @functools.cached_property
-    def _circumballs(self) -> tuple[np.ndarray, np.ndarray]:
+    def _circumballs(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         centers, radii = self._core.circumcenters(self._selection)
         return fixed(centers), fixed(radii)
 
     @property
-    def circumcenters(self) -> np.ndarray:
+    def circumcenters(self) -> NDArray[np.float64]:
         """Circumcentres of simplices, float64, shape (simplices, dim).
 
         Examples
@@ -107,7 +108,7 @@ class Arrays:
         return self._circumballs[0]
 
     @property
-    def circumradii(self) -> np.ndarray:
+    def circumradii(self) -> NDArray[np.float64]:
         """Circumradii of simplices, float64, shape (simplices,).
 
         Examples
@@ -119,7 +120,7 @@ class Arrays:
         return self._circumballs[1]
 
     @functools.cached_property
-    def volumes(self) -> np.ndarray:
+    def volumes(self) -> NDArray[np.float64]:
         """Volumes (2D: areas) of simplices, float64, shape (simplices,).
 
         Examples

@@ -8,11 +8,11 @@ import os
 from typing import Any, Optional
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _outlines, _surfaces
 from ._arrays import doubles
 from ._errors import ArgumentTypeError, InvalidArgumentError
-from ._reading import content_of_file
 
 #: Kinds of things that a domain is made of, in messages.
 _KINDS = (
@@ -39,22 +39,22 @@ class Domain:
     """
 
     #: Points: float64, shape (n, dim).
-    points: np.ndarray
+    points: NDArray[np.float64]
     #: Numbers of the points at the ends of segments: int64, shape (segments, 2), or None.
-    segments: Optional[np.ndarray] = None
+    segments: Optional[NDArray[np.int64]] = None
     #: Numbers of the segments: int, shape (segments,), or None.
-    markers: Optional[np.ndarray] = None
+    markers: Optional[NDArray[np.integer[Any]]] = None
     #: Whether segments are sides of polygons: bool, shape (segments,), or None. Where some are, the
     #: inside is by parity of these alone, unless `interior` says otherwise.
-    sides: Optional[np.ndarray] = None
+    sides: Optional[NDArray[np.bool_]] = None
     #: Triangles, polygons or lists of loops, as `mesh` takes them, or None.
     facets: Any = None
     #: Numbers of the facets: int, shape (facets,), or None.
-    facet_markers: Optional[np.ndarray] = None
+    facet_markers: Optional[NDArray[np.integer[Any]]] = None
     #: Regions, each (x, y, label) or (x, y, label, max_edge), in space (x, y, z, ...).
     regions: Any = None
     #: Points of holes: float64, shape (holes, dim), or None.
-    holes: Optional[np.ndarray] = None
+    holes: Optional[NDArray[np.float64]] = None
 
     def __repr__(self) -> str:
         counts = [f"{len(self.points)} points"]
@@ -98,10 +98,11 @@ def domain(x: Any, *, markers: Optional[str] = None) -> Domain:
         - a meshio ``Mesh``, of which triangles, quadrilaterals and polygons become facets and lines
           segments; if its points have no third coordinate, or all have 0, it is in the plane, where
           lines are all that is kept;
-        - a path to a file of any format that the command line reads.
+        - a path to a file of any format that the command line reads; or to a GeoPackage, shapefile or
+          FlatGeobuf, of which GeoPandas reads the first layer if it is installed.
     markers : str, optional
         The name of the data that has the markers: a column of a GeoDataFrame or a property of the
-        features of GeoJSON, cell data of PyVista or meshio, a face attribute of trimesh. By default
+        features of GeoJSON, of their files too, cell data of PyVista or meshio, a face attribute of trimesh. By default
         those that meshio has of Gmsh and Medit, and the markers in files.
 
     Returns
@@ -142,8 +143,7 @@ def domain(x: Any, *, markers: Optional[str] = None) -> Domain:
 
 def _fields(x: Any, markers: Optional[str]) -> dict[str, Any]:
     if isinstance(x, (str, os.PathLike)):
-        _outlines.require_no_name(markers, "a file, whose segments and facets have their own")
-        return content_of_file(x)
+        return _outlines.of_file(x, markers)
     if hasattr(x, "__geo_interface__") or _outlines.is_geojson(x):
         return _outlines.of_features(x, markers)
     if isinstance(x, collections.abc.Mapping):

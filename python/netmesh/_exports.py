@@ -6,6 +6,7 @@ import os
 from typing import Any, Optional, Union
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _plots, _skfem, _views
 from ._arrays import array, data, doubles, vertex_columns
@@ -231,7 +232,7 @@ class Exports(Arrays):
         counts = f"({len(self._own.kinds)},), of vertices, or ({len(self._own.simplices)},), of simplices"
         raise InvalidArgumentError(f"values has shape {given.shape}; it must be {counts}")
 
-    def _measure(self, by: str) -> np.ndarray:
+    def _measure(self, by: str) -> NDArray[np.float64]:
         points, cells = self._own.points, self._own.simplices
         if by == "quality":
             return _plots.smallest_angles(points, cells)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._arrays import fixed
 from ._netmesh import Core
@@ -16,7 +17,7 @@ class Features:
     _core: Core
 
     @property
-    def segments(self) -> np.ndarray:
+    def segments(self) -> NDArray[np.int32]:
         """Edges that segments have become, int32, shape (edges, 2), in their directions.
 
         Examples
@@ -29,7 +30,7 @@ class Features:
         return self._core.segments
 
     @property
-    def segment_parents(self) -> np.ndarray:
+    def segment_parents(self) -> NDArray[np.int32]:
         """Segment that each edge of `segments` is a part of, int32, shape (edges,).
 
         -1 for edges of a hull or box, and in 3D for edges of facets that are no segments.
@@ -37,7 +38,7 @@ class Features:
         return self._core.segment_parents
 
     @functools.cached_property
-    def segment_markers(self) -> np.ndarray:
+    def segment_markers(self) -> NDArray[np.int32]:
         """Marker of the segment that each edge of `segments` is a part of, int32, shape (edges,).
 
         0 for edges of a hull or box, and in 3D for edges of facets that are no segments.
@@ -52,7 +53,7 @@ class Features:
         return fixed(self._core.segment_markers())
 
     @property
-    def facet_triangles(self) -> np.ndarray:
+    def facet_triangles(self) -> NDArray[np.int32]:
         """Triangles that facets have become, int32, shape (triangles, 3).
 
         Their vertices go counterclockwise where the normal of the facet points to, that of its first
@@ -71,7 +72,7 @@ class Features:
         return self._core.facet_triangles
 
     @property
-    def facet_parents(self) -> np.ndarray:
+    def facet_parents(self) -> NDArray[np.int32]:
         """Facet that each of `facet_triangles` is a part of, int32, shape (triangles,).
 
         Of triangles that are one facet the first; -1 for the boundary of a hull or box.
@@ -79,7 +80,7 @@ class Features:
         return self._core.facet_parents
 
     @functools.cached_property
-    def facet_markers(self) -> np.ndarray:
+    def facet_markers(self) -> NDArray[np.int32]:
         """Marker of the facet that each of `facet_triangles` is a part of, int32, shape (triangles,).
 
         0 for the boundary of a hull or box.
@@ -96,7 +97,7 @@ class Features:
         return fixed(self._core.facet_markers())
 
     @property
-    def facet_simplices(self) -> np.ndarray:
+    def facet_simplices(self) -> NDArray[np.int32]:
         """Simplices that have each of `facet_triangles`, int32, shape (triangles, 2).
 
         First the one where the normal points to, then the one behind; -1 where the domain ends.
@@ -104,6 +105,6 @@ class Features:
         return self._core.facet_simplices
 
     @property
-    def simplex_regions(self) -> np.ndarray:
+    def simplex_regions(self) -> NDArray[np.int32]:
         """Label of each simplex' region, int32, shape (simplices,); empty without segments and facets."""
         return self._core.simplex_regions

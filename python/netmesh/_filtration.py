@@ -7,6 +7,7 @@ import os
 from typing import Any, Union
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._arrays import fixed, number
 from ._errors import InvalidArgumentError
@@ -69,7 +70,7 @@ class Filtration:
         return self._core.factor
 
     @functools.cached_property
-    def points(self) -> np.ndarray:
+    def points(self) -> NDArray[np.float64]:
         """Points that faces are made of, float64, shape (points, dim).
 
         They are the caller's points, duplicates included, for the kind 'alpha', and the vertices for
@@ -77,7 +78,7 @@ class Filtration:
         """
         return fixed(self._core.points)
 
-    def faces(self, k: int) -> np.ndarray:
+    def faces(self, k: int) -> NDArray[np.int32]:
         """Return the faces of dimension k: int32, shape (faces, k + 1), ascending, sorted.
 
         Numbers are those of rows of `points`.
@@ -91,7 +92,7 @@ class Filtration:
         """
         return fixed(self._core.faces(k))
 
-    def values(self, k: int) -> np.ndarray:
+    def values(self, k: int) -> NDArray[np.float64]:
         """Return the values of the faces of dimension k: float64, shape (faces,).
 
         Examples
@@ -103,7 +104,7 @@ class Filtration:
         """
         return self._core.values(k)
 
-    def facets(self, k: int) -> np.ndarray:
+    def facets(self, k: int) -> NDArray[np.int32]:
         """Return the boundary of the faces of dimension k, from 1 on.
 
         int32, shape (faces, k + 1): entry i is the face of dimension k - 1 without vertex i, whose

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional, Union
+from typing import Any, Literal, Optional, Union
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._arrays import coordinates
 from ._clough_tocher import CloughTocher2DInterpolator
@@ -18,14 +19,14 @@ def griddata(
     points: Any,
     values: Any,
     xi: Any,
-    method: str = "linear",
+    method: Literal["linear", "nearest", "cubic"] = "linear",
     fill_value: Union[float, complex] = np.nan,
     rescale: bool = False,
     *,
     tol: Optional[float] = None,
-    outside: str = "fill",
+    outside: Literal["fill", "nearest"] = "fill",
     threads: int = 1,
-) -> np.ndarray:
+) -> NDArray[Any]:
     """Interpolate values at points elsewhere, as `scipy.interpolate.griddata`.
 
     Parameters

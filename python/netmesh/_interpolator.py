@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import sys
-from typing import Any, Optional, Union
+from typing import Any, Literal, Optional, Union
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._arrays import array, contiguous, coordinates, number, point_rows, tolerance, value_columns
 from ._delaunay import Delaunay
@@ -18,6 +19,9 @@ class SimplexInterpolator:
 
     The triangulation is a `Delaunay` or SciPy's.
     """
+
+    points: NDArray[np.float64]
+    values: NDArray[Any]
 
     def _take(self, points: Any, values: Any, fill_value: Any, rescale: bool) -> None:
         """Triangulate the points, unless they are a triangulation, and check the values."""
@@ -52,7 +56,7 @@ class SimplexInterpolator:
         self.outside = outside
         self.threads = threads
 
-    def __call__(self, *args: Any) -> np.ndarray:
+    def __call__(self, *args: Any) -> NDArray[Any]:
         """Evaluate at points.
 
         Parameters
@@ -68,11 +72,14 @@ class SimplexInterpolator:
         xi = coordinates(args, "xi", ndim)
         if self.scale is not None:
             xi = (xi - self.offset) / self.scale
+        if not self.values.shape[1]:
+            return np.zeros(xi.shape[:-1] + self.values_shape, self.values.dtype)
         rows = contiguous(xi.reshape(-1, ndim))
         columns, outside = self._inside(rows)
         out = columns.view(np.complex128) if self.is_complex else columns
         out[outside] = self.fill_value
-        if self.outside == "nearest":
+        # A question of the library has a cost of its own, however few points it has.
+        if self.outside == "nearest" and len(outside):
             outside = outside[np.isfinite(rows[outside]).all(axis=1)]
             out[outside] = self.values[self._nearest_points(rows[outside])]
         return out.reshape(xi.shape[:-1] + self.values_shape)
@@ -102,7 +109,7 @@ class SimplexInterpolator:
         is_same = self._is_scipys or self.tri._is_distinct
         return of_points if is_same else of_points[self.tri._first_inputs]
 
-    def _places(self, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def _places(self, rows: np.ndarray) -> tuple[NDArray[np.int32], NDArray[np.float64]]:
         """Return the simplices that hold points, -1 outside, and barycentric coordinates inside."""
         if not self._is_scipys:
             return self.tri._places(rows, self.simplex_tol, self.threads)
@@ -111,7 +118,7 @@ class SimplexInterpolator:
         first = np.einsum("nij,nj->ni", transform[:, :-1], rows - transform[:, -1])
         return simplices, np.column_stack([first, 1 - first.sum(axis=1)])
 
-    def _nearest_points(self, rows: np.ndarray) -> np.ndarray:
+    def _nearest_points(self, rows: np.ndarray) -> NDArray[np.int32]:
         if not self._is_scipys:
             return self.tri._first_inputs[self.tri.mesh.nearest(rows, threads=self.threads)[0]]
         if not hasattr(self, "_index"):
@@ -168,7 +175,7 @@ class LinearNDInterpolator(SimplexInterpolator):
         rescale: bool = False,
         *,
         tol: Optional[float] = None,
-        outside: str = "fill",
+        outside: Literal["fill", "nearest"] = "fill",
         threads: int = 1,
     ) -> None:
         self._take_rules(tol, "tol", outside, threads)
@@ -182,6 +189,8 @@ class LinearNDInterpolator(SimplexInterpolator):
             out = self._interpolated(rows)
             # Values may be NaN inside the hull too.
             missing = np.flatnonzero(np.isnan(out).any(axis=1))
+            if not len(missing):
+                return out, missing
         simplices, weights = self._places(rows[missing])
         is_found = simplices != -1
         vertices = self._simplices[simplices[is_found]]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any, Literal, Optional
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._histogram import histogram
 from ._netmesh import Core
@@ -39,7 +40,7 @@ class Figures:
         range: Optional[tuple[float, float]] = None,
         *,
         hull: bool = False,
-    ) -> tuple[np.ndarray, np.ndarray]:
+    ) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
         """Count how many angles, ratios or aspects lie in bins, as `numpy.histogram` does.
 
         Parameters

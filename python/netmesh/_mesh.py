@@ -6,6 +6,7 @@ import functools
 from typing import Any, Literal, Optional
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._arrays import copied, doubles, fixed, point_rows
 from ._errors import ArgumentTypeError
@@ -14,12 +15,14 @@ from ._features import Features
 from ._filtration import Filtration
 from ._input import boundary_of, domain_of, has_boundary
 from ._measures import Measures
+from ._merging import least_of_merged, standing_points
 from ._netmesh import Core
 from ._part import Part
 from ._progress import reporter
 from ._queries import Queries
 from ._results import DOMAIN
 from ._sizes import size_of
+from ._vertices import Vertices
 
 # Arguments of `mesh` beside the options.
 _NO_OPTIONS = (
@@ -31,6 +34,7 @@ _NO_OPTIONS = (
     "facet_markers",
     "regions",
     "holes",
+    "cutoff",
 )
 
 
@@ -43,6 +47,7 @@ def mesh(
     facet_markers: Any = None,
     regions: Any = None,
     holes: Any = None,
+    cutoff: float = 0.0,
     criterion: Literal["voronoi_aspect", "radius_edge"] = "voronoi_aspect",
     quality_bound: float = 0.0,
     min_angle: float = 0.0,
@@ -81,7 +86,7 @@ def mesh(
     `Mesh.parameters` tells what the defaults, 0 and 'auto', have become.
 
     - Points and their domain: `points`, `segments`, `facets`, `markers`, `facet_markers`, `regions`,
-      `holes`.
+      `holes`, `cutoff`.
     - Quality: `criterion`, `quality_bound`, `min_angle`, `min_dihedral`, `gives_way`.
     - Domain: `extent`, `interior`, `crossings`, `coplanar`, `labels`.
     - Sizes: `max_edge`, `size_from_curvature`, `distance_ratio`, `size`, `background`.
@@ -117,6 +122,12 @@ def mesh(
     holes : array_like of float, shape (holes, dim), optional
         Points of regions that are no part of the result, whatever `extent`. Each of `regions` and
         `holes` must be in a region of its own.
+    cutoff : float
+        Distance below which points are merged: one of them becomes a vertex and stands for the
+        others, as `representatives` chooses. Ends of segments and corners of facets are never
+        moved; points near them are merged with them. `Mesh.representatives` and
+        `Mesh.input_vertices` tell what became of each point. The least `size` of merged points
+        counts.
     criterion : {'voronoi_aspect', 'radius_edge'}
         Quality measure that `quality_bound` bounds. 'voronoi_aspect': distance from a vertex to the
         farthest corner of its Voronoi cell over half the distance to its nearest neighbour;
@@ -278,10 +289,12 @@ def mesh(
     )
     rows = point_rows(asked.points)
     boundary = boundary_of(asked, rows.shape[1]) if has_boundary(asked) else None
-    return Mesh._run(rows, given, progress, boundary)
+    standing = standing_points(rows, cutoff, boundary)
+    rows = rows if standing is None else rows[standing]
+    return Mesh._run(rows, given, progress, boundary, standing)
 
 
-class Mesh(Exports, Features, Queries, Measures):
+class Mesh(Vertices, Exports, Features, Queries, Measures):
     """A mesh. `netmesh.mesh` makes it; nothing changes it.
 
     Its arrays share the library's memory, which they keep alive, and are read-only. An id of -1
@@ -305,18 +318,28 @@ class Mesh(Exports, Features, Queries, Measures):
 
     @classmethod
     def _run(
-        cls, points: Any, options: dict, progress: Any = None, boundary: tuple | None = None
+        cls,
+        points: Any,
+        options: dict,
+        progress: Any = None,
+        boundary: tuple | None = None,
+        standing: np.ndarray | None = None,
     ) -> Mesh:
+        # Points for which others stand are where these are.
         made = cls.__new__(cls)
         rows = point_rows(points)
         # The caller may change arrays that were given, and a pickle makes the mesh of them again.
         options, boundary = copied(options), copied(boundary)
         asked = options
         if options.get("size") is not None:
-            asked = {**options, "size": size_of(options["size"], rows)}
+            size = size_of(options["size"], rows)
+            if standing is not None and np.shape(size) == standing.shape:
+                size = least_of_merged(size, standing)
+            asked = {**options, "size": size}
         made._core = Core(rows, reporter(progress), asked, boundary)
         made._options = options
         made._boundary = boundary
+        made._standing = standing
         return made
 
     def __repr__(self) -> str:
@@ -325,7 +348,8 @@ class Mesh(Exports, Features, Queries, Measures):
 
     def __reduce__(self) -> tuple:
         # The same points and options make the same mesh.
-        return Mesh._run, (self._core.input_points(), self._options, None, self._boundary)
+        given = self._core.input_points(), self._options, None, self._boundary, self._standing
+        return Mesh._run, given
 
     def __copy__(self) -> Mesh:
         return self
@@ -360,22 +384,22 @@ class Mesh(Exports, Features, Queries, Measures):
         return self.points.shape[1]
 
     @property
-    def points(self) -> np.ndarray:
+    def points(self) -> NDArray[np.float64]:
         """Vertices, float64, shape (vertices, dim): the distinct inputs first, in their order."""
         return self._core.points
 
     @property
-    def simplices(self) -> np.ndarray:
+    def simplices(self) -> NDArray[np.int32]:
         """Vertices of simplices, int32, shape (simplices, dim + 1), each positively oriented."""
         return self._core.simplices
 
     @property
-    def cells(self) -> np.ndarray:
+    def cells(self) -> NDArray[np.int32]:
         """Rows of `points` that each simplex has: `simplices`, under the name that parts have, too."""
         return self._core.simplices
 
     @property
-    def neighbors(self) -> np.ndarray:
+    def neighbors(self) -> NDArray[np.int32]:
         """Neighbours of simplices, int32, shape (simplices, dim + 1).
 
         Entry i is across the facet opposite vertex i; -1 on the hull.
@@ -383,51 +407,7 @@ class Mesh(Exports, Features, Queries, Measures):
         return self._core.neighbors
 
     @property
-    def kinds(self) -> np.ndarray:
-        """Origin of each vertex, uint8, shape (vertices,): values of `VertexKind`."""
-        return self._core.kinds
-
-    @property
-    def vertex_domains(self) -> np.ndarray:
-        """Innermost domain of each vertex, int32, shape (vertices,); -1 without domains."""
-        return self._core.vertex_domains
-
-    @property
-    def precision_limited(self) -> np.ndarray:
-        """True for vertices where doubles are too coarse for the bound, bool, shape (vertices,)."""
-        return self._core.precision_limited
-
-    @property
-    def input_vertices(self) -> np.ndarray:
-        """Vertices of inputs, int32, shape (n,); equal inputs share one. See `vertex_inputs`."""
-        return self._core.input_vertices
-
-    @functools.cached_property
-    def vertex_inputs(self) -> np.ndarray:
-        """Inputs of vertices, int32, shape (vertices,); -1 for vertices that are no inputs.
-
-        It is the first of inputs that are equal. So the array is the inverse of `input_vertices`, but
-        for duplicates.
-
-        Examples
-        --------
-        >>> import netmesh
-        >>> m = netmesh.mesh([[0, 0], [0, 0], [1, 0], [0, 1]], algorithm="delaunay")
-        >>> m.input_vertices, m.vertex_inputs
-        (array([0, 0, 1, 2], dtype=int32), array([0, 2, 3], dtype=int32))
-        """
-        return fixed(self._core.vertex_inputs())
-
-    @property
-    def sizes(self) -> np.ndarray:
-        """Sizes that were asked for at vertices, float64, shape (vertices,); empty without.
-
-        They come of `size` and `background`, infinite where there is no bound and where none was needed.
-        """
-        return self._core.sizes
-
-    @property
-    def domains(self) -> np.ndarray:
+    def domains(self) -> NDArray[Any]:
         """Balls of the hierarchy, fields center (a vertex), parent (-1 for the root's) and radius.
 
         The root is the first, every parent stands before its children. Empty for 'delaunay'.
@@ -444,7 +424,7 @@ class Mesh(Exports, Features, Queries, Measures):
         domains["center"], domains["parent"], domains["radius"] = centers, parents, radii
         return domains
 
-    def placements(self, extent: Literal["hull", "box"] = "hull") -> np.ndarray:
+    def placements(self, extent: Literal["hull", "box"] = "hull") -> NDArray[np.uint8]:
         """Tell of each simplex whether it is inside the inputs' hull or box, exactly.
 
         Parameters

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any, Optional
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._arrays import array, contiguous, coordinates, number, point_rows, require_finite, value_columns
 from ._errors import ArgumentTypeError, DimensionError, InvalidArgumentError
@@ -36,7 +37,7 @@ class NearestNDInterpolator:
     ----------
     points : ndarray of float64, shape (npoints, ndim)
         Points as they are searched: scaled, if `rescale` is given.
-    values : ndarray of float64 or complex128, shape (npoints, ...)
+    values : ndarray of float64, complex128 or complex64, shape (npoints, ...)
 
     Examples
     --------
@@ -45,6 +46,9 @@ class NearestNDInterpolator:
     >>> f([[0.9, 0.2], [-5, 3]])
     array([20., 30.])
     """
+
+    points: NDArray[np.float64]
+    values: NDArray[Any]
 
     def __init__(
         self,
@@ -66,10 +70,12 @@ class NearestNDInterpolator:
         given = array(y, "y")
         columns = value_columns(y, len(points), "point", "y")
         found = columns.view(np.complex128) if given.dtype.kind == "c" else columns
+        # As in SciPy single precision stays single, if it is complex.
+        found = found.astype(np.complex64) if given.dtype == np.complex64 else found
         self.values = found.reshape(given.shape)
         self.threads = threads
 
-    def __call__(self, *args: Any, **query_options: Any) -> np.ndarray:
+    def __call__(self, *args: Any, **query_options: Any) -> NDArray[Any]:
         """Evaluate at points.
 
         Parameters
@@ -84,7 +90,7 @@ class NearestNDInterpolator:
 
         Returns
         -------
-        ndarray of float64 or complex128
+        ndarray of float64, complex128 or complex64
             The shape of the points, then that of values without the first axis.
         """
         bound, threads = self._options(query_options)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import collections.abc
 import json
+import os
+import pathlib
 import re
 import warnings
 from typing import Any, Optional
@@ -11,11 +13,14 @@ from typing import Any, Optional
 import numpy as np
 
 from ._arrays import array, doubles, whole_numbers
-from ._errors import Error, InvalidArgumentError
-from ._reading import content_of_geojson
+from ._errors import Error, FileError, FormatError, InvalidArgumentError
+from ._reading import content_of_file, content_of_geojson
 
 #: Position in the text that the package makes of an object, of which its user knows nothing.
 _PLACE = re.compile(r"^line \d+, byte \d+: ")
+
+#: Ends of names of tables that GeoPandas reads, and the library does not.
+_TABLES = (".gpkg", ".shp", ".fgb")
 
 #: Keys of a dict of PyPI's triangle that say what is to be meshed.
 _KEYS = ("vertices", "segments", "segment_markers", "holes", "regions")
@@ -27,6 +32,35 @@ def require_no_name(markers: Optional[str], what: str) -> None:
         raise InvalidArgumentError(f"markers is {markers!r}; it must be left out with {what}")
 
 
+def of_file(path: Any, markers: Optional[str]) -> dict[str, Any]:
+    """Return the fields of a file, with a property of its features as markers if it has such."""
+    end = os.path.splitext(os.fspath(path))[1].lower()
+    if end in _TABLES:
+        return of_features(_table(path), markers)
+    if markers is not None and end != ".geojson":
+        raise InvalidArgumentError(
+            f"markers is {markers!r}; {os.fspath(path)} has no properties by name, as files of GeoJSON have"
+        )
+    fields = content_of_file(path)
+    if markers is not None:
+        _renumber(fields, json.loads(pathlib.Path(path).read_bytes()), markers)
+    return fields
+
+
+def _table(path: Any) -> Any:
+    """Return the first layer of a file, as GeoPandas reads it."""
+    try:
+        import geopandas
+    except ImportError:
+        rule = "files of this kind are read by GeoPandas, which is not installed"
+        raise FormatError(f"{os.fspath(path)}: {rule}") from None
+    try:
+        return geopandas.read_file(path)
+    except Exception as error:
+        kind = FormatError if os.path.exists(path) else FileError
+        raise kind(f"{os.fspath(path)}: GeoPandas cannot read it: {error}") from error
+
+
 def is_geojson(x: Any) -> bool:
     """Tell whether a thing is an object of GeoJSON."""
     return isinstance(x, collections.abc.Mapping) and isinstance(x.get("type"), str)
@@ -35,7 +69,6 @@ def is_geojson(x: Any) -> bool:
 def of_features(x: Any, markers: Optional[str]) -> dict[str, Any]:
     """Return the fields of what has ``__geo_interface__``, or of GeoJSON."""
     whole = getattr(x, "__geo_interface__", x)
-    numbers = None if markers is None else _numbers(whole, markers)
     try:
         fields = content_of_geojson(json.dumps(_bare(whole), default=_plain))
     except Error as error:
@@ -43,10 +76,16 @@ def of_features(x: Any, markers: Optional[str]) -> dict[str, Any]:
         raise type(error)(f"x: {message}") from None
     except (TypeError, ValueError) as error:
         raise InvalidArgumentError(f"x is no GeoJSON: {error}") from None
-    if numbers is not None and "markers" in fields:
-        # The reader has numbered the features from 1 on.
-        fields["markers"] = numbers[fields["markers"] - 1]
+    if markers is not None:
+        _renumber(fields, whole, markers)
     return fields
+
+
+def _renumber(fields: dict[str, Any], whole: Any, name: str) -> None:
+    """Replace the numbers of features, which the reader counts from 1 on, by a property of theirs."""
+    numbers = _numbers(whole, name)
+    if "markers" in fields:
+        fields["markers"] = numbers[fields["markers"] - 1]
 
 
 def _bare(whole: Any) -> Any:

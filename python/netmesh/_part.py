@@ -6,6 +6,7 @@ import functools
 from typing import Any, Optional
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._arrays import array, data, fixed, value_columns, vertex_columns
 from ._exports import Exports
@@ -62,7 +63,7 @@ class Part(Exports, Locations, Figures):
         return self._core.part(self._selection)
 
     @functools.cached_property
-    def vertices(self) -> np.ndarray:
+    def vertices(self) -> NDArray[np.int32]:
         """Ids of the part's vertices in the mesh, int32, shape (vertices,), ascending.
 
         Examples
@@ -80,7 +81,7 @@ class Part(Exports, Locations, Figures):
         return self._core.points.shape[1]
 
     @property
-    def points(self) -> np.ndarray:
+    def points(self) -> NDArray[np.float64]:
         """Vertices of the part, float64, shape (vertices, dim): in the order of the mesh.
 
         Examples
@@ -95,7 +96,7 @@ class Part(Exports, Locations, Figures):
         return self._own.points
 
     @property
-    def cells(self) -> np.ndarray:
+    def cells(self) -> NDArray[np.int32]:
         """Rows of `points` that each simplex has, int32, shape (simplices, dim + 1).
 
         The simplices are in the order of the mesh, each positively oriented.
@@ -111,17 +112,17 @@ class Part(Exports, Locations, Figures):
         return self._own.simplices
 
     @property
-    def kinds(self) -> np.ndarray:
+    def kinds(self) -> NDArray[np.uint8]:
         """Origin of each vertex of the part, uint8, shape (vertices,): values of `VertexKind`."""
         return self._own.kinds
 
     @property
-    def sizes(self) -> np.ndarray:
+    def sizes(self) -> NDArray[np.float64]:
         """Sizes that were asked for at vertices of the part, float64, shape (vertices,); empty without."""
         return self._own.sizes
 
     @property
-    def simplex_regions(self) -> np.ndarray:
+    def simplex_regions(self) -> NDArray[np.int32]:
         """Label of each simplex' region, int32, shape (simplices,); empty without segments and facets."""
         return self._own.simplex_regions
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any, Literal, Optional
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._arrays import query_points, shaped_values, value_columns, vertex_columns
 from ._netmesh import Core
@@ -21,7 +22,7 @@ class Locations:
     def _dim(self) -> int:
         return self._core.points.shape[1]
 
-    def locate(self, points: Any, *, threads: int = 1) -> np.ndarray:
+    def locate(self, points: Any, *, threads: int = 1) -> NDArray[np.int32]:
         """Find the simplices that hold points, by exact signs.
 
         Parameters
@@ -54,7 +55,7 @@ class Queries(Locations):
 
     def nearest(
         self, points: Any, *, among: Literal["vertices", "inputs"] = "vertices", threads: int = 1
-    ) -> tuple[np.ndarray, np.ndarray]:
+    ) -> tuple[NDArray[np.int32], NDArray[np.float64]]:
         """Find the nearest vertices, or the nearest of the caller's points, and how far they are.
 
         Parameters
@@ -90,7 +91,7 @@ class Queries(Locations):
         interpolation: Literal["linear", "sibson", "laplace"] = "linear",
         outside: Literal["nan", "nearest"] = "nan",
         threads: int = 1,
-    ) -> np.ndarray:
+    ) -> NDArray[Any]:
         """Interpolate values that are given at the vertices.
 
         Parameters
@@ -167,7 +168,7 @@ class Queries(Locations):
         """
         return projector(self._core, points, outside, tol, threads)
 
-    def extend_values(self, values: Any, *, threads: int = 1) -> np.ndarray:
+    def extend_values(self, values: Any, *, threads: int = 1) -> NDArray[Any]:
         """Extend values at the inputs to all vertices.
 
         They are linear in the Delaunay triangulation of the inputs, and those of the nearest input

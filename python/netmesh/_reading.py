@@ -18,7 +18,7 @@ def content_of_file(path: Any) -> dict[str, Any]:
     left_out = [f"{count} {name if count > 1 else name[:-1]}" for count, name in counts if count]
     if left_out:
         rest = "; its facets are taken" if found["facets"] else "; its points are taken"
-        warnings.warn(f"{os.fspath(path)}: left out are {', '.join(left_out)}{rest}", stacklevel=4)
+        warnings.warn(f"{os.fspath(path)}: left out are {', '.join(left_out)}{rest}", stacklevel=5)
     return _fields(found)
 
 

@@ -7,6 +7,7 @@ import numbers
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._arrays import point_rows
 from ._errors import InvalidArgumentError
@@ -94,7 +95,7 @@ def odd_edges(points: Any, facets: Any = None) -> list[OddEdge]:
     return [OddEdge(*told) for told in _odd_edges(*_input(points, facets))]
 
 
-def close_holes(points: Any, facets: Any = None, max_edges: int = 100) -> np.ndarray:
+def close_holes(points: Any, facets: Any = None, max_edges: int = 100) -> NDArray[np.int32]:
     """Find triangles that close the holes of a surface in space.
 
     A hole is a loop of edges at which one facet ends and no other begins. One of k edges is closed
@@ -136,7 +137,7 @@ def close_holes(points: Any, facets: Any = None, max_edges: int = 100) -> np.nda
     return np.fromiter(itertools.chain.from_iterable(found), np.int32).reshape(-1, 3)
 
 
-def triangulate_facets(points: Any, facets: Any = None) -> tuple[np.ndarray, np.ndarray]:
+def triangulate_facets(points: Any, facets: Any = None) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
     """Find the triangles that polygons consist of.
 
     For polygons that are not plane, which `mesh` refuses. The view of a polygon along an axis decides
@@ -177,7 +178,7 @@ def triangulate_facets(points: Any, facets: Any = None) -> tuple[np.ndarray, np.
     return np.fromiter(numbers_of_points, np.int32).reshape(-1, 3), np.fromiter(parents, np.int32)
 
 
-def merge_points(points: Any, ratio: float = 1e-9) -> np.ndarray:
+def merge_points(points: Any, ratio: float = 1e-9) -> NDArray[np.float64]:
     """Give points that are nearly others the coordinates of these.
 
     Programs write a point of a surface several times, with other roundings, so that it is open

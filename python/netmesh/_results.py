@@ -4,6 +4,7 @@ import enum
 from typing import NamedTuple, Optional, Tuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 
 class VertexKind(enum.IntEnum):
@@ -45,7 +46,7 @@ class Intersection(NamedTuple):
     #: Likewise; the same as the first where a facet meets itself.
     second: Tuple[str, int]
     #: A point of the intersection: float64, shape (3,).
-    point: np.ndarray
+    point: NDArray[np.float64]
 
 
 class OddEdge(NamedTuple):
@@ -64,18 +65,18 @@ class CSR(NamedTuple):
     """Lists of ids, one for each of several things: list i is ``indices[indptr[i]:indptr[i+1]]``."""
 
     #: Beginnings of the lists, and the end of the last: int64, one more than there are lists.
-    indptr: np.ndarray
+    indptr: NDArray[np.int64]
     #: Ids of all lists, one list after another: int32.
-    indices: np.ndarray
+    indices: NDArray[np.int32]
 
 
 class Facets(NamedTuple):
     """Facets with the simplices that have them."""
 
     #: Vertices of each facet: int32, shape (facets, dim).
-    vertices: np.ndarray
+    vertices: NDArray[np.int32]
     #: Simplices at each facet: int32, shape (facets, 2), -1 for none; on the hull shape (facets,).
-    simplices: np.ndarray
+    simplices: NDArray[np.int32]
 
 
 class VoronoiCells(NamedTuple):
@@ -84,17 +85,17 @@ class VoronoiCells(NamedTuple):
     #: Simplices whose corners the cell of each vertex has; in 2D counterclockwise.
     regions: CSR
     #: True for vertices whose cells are bounded: bool, shape (vertices,).
-    is_bounded: np.ndarray
+    is_bounded: NDArray[np.bool_]
     #: Volumes of the cells: float64, shape (vertices,); infinite where they are not bounded.
-    volumes: np.ndarray
+    volumes: NDArray[np.float64]
     #: Shares of the cells in the volume of the mesh, which is their sum: float64, shape (vertices,).
-    shares: np.ndarray
+    shares: NDArray[np.float64]
     #: Vertices between which each ridge lies: int32, shape (ridges, 2). They are the edges.
-    ridges: np.ndarray
+    ridges: NDArray[np.int32]
     #: Simplices whose corners each ridge has; in 3D in their order round it.
     ridge_corners: CSR
     #: True for bounded ridges: bool, shape (ridges,).
-    is_ridge_bounded: np.ndarray
+    is_ridge_bounded: NDArray[np.bool_]
 
 
 class Violation(NamedTuple):

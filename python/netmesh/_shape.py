@@ -8,6 +8,7 @@ import os
 from typing import Any, Optional, Union
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _plots
 from ._arrays import fixed
@@ -78,7 +79,7 @@ class AlphaShape:
     def __deepcopy__(self, memo: dict) -> AlphaShape:
         return self
 
-    def classes(self, k: int) -> np.ndarray:
+    def classes(self, k: int) -> NDArray[np.uint8]:
         """Return a `FaceClass` for each of ``Filtration.faces(k)``: uint8, shape (faces,).
 
         Examples
@@ -92,17 +93,17 @@ class AlphaShape:
         return self._core.shape_classes(self.alpha, k)
 
     @property
-    def simplices(self) -> np.ndarray:
+    def simplices(self) -> NDArray[np.int32]:
         """Simplices of the shape: int32, their places in ``Mesh.simplices``, ascending."""
         return self._core.shape_simplices(self.alpha)
 
     @functools.cached_property
-    def points(self) -> np.ndarray:
+    def points(self) -> NDArray[np.float64]:
         """Points of the caller, duplicates included: float64, shape (n, dim)."""
         return fixed(self._core.points)
 
     @property
-    def boundary(self) -> np.ndarray:
+    def boundary(self) -> NDArray[np.int32]:
         """Boundary of the simplices: int32, shape (facets, dim), oriented outwards.
 
         Numbers are those of the caller's points, of equal ones the first: rows of `points`.

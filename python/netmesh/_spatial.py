@@ -6,11 +6,13 @@ import math
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _netmesh
 from ._arrays import contiguous, doubles, number, point_rows, require_finite
 from ._errors import ArgumentTypeError, InvalidArgumentError
 from ._mesh import Mesh, mesh
+from ._scaling import scaled, unscaled
 
 #: Arguments of `mesh` that `spatial_mesh` gives itself.
 _TAKEN = ("points", "segments", "facets", "markers", "facet_markers", "regions", "holes", "extent")
@@ -32,10 +34,10 @@ class SpatialMesh(NamedTuple):
     """
 
     mesh: Mesh
-    representatives: np.ndarray
-    vertices: np.ndarray
-    inner: np.ndarray
-    outer: np.ndarray
+    representatives: NDArray[np.int32]
+    vertices: NDArray[np.int32]
+    inner: NDArray[np.float64]
+    outer: NDArray[np.float64]
 
 
 def spatial_mesh(
@@ -122,7 +124,7 @@ def spatial_mesh(
     return SpatialMesh(made, standing, made.input_vertices[numbers[standing]], inner, outer)
 
 
-def representatives(points: Any, cutoff: float) -> np.ndarray:
+def representatives(points: Any, cutoff: float) -> NDArray[np.int32]:
     """Choose points no two of which are nearer than a distance, and tell which stand for the others.
 
     Points are taken in their order. Each that has no chosen one nearer than `cutoff` is chosen; the
@@ -149,7 +151,7 @@ def representatives(points: Any, cutoff: float) -> np.ndarray:
     return _netmesh.representatives(contiguous(point_rows(points)), number(cutoff, "cutoff"))
 
 
-def offset_hull(points: Any, distance: float, corners: int = 16) -> np.ndarray:
+def offset_hull(points: Any, distance: float, corners: int = 16) -> NDArray[np.float64]:
     """Make a convex polygon with few corners round points of the plane, at a distance from them.
 
     Its sides touch the set of all places within `distance` of the hull of the points. Some are parallel
@@ -183,18 +185,23 @@ def offset_hull(points: Any, distance: float, corners: int = 16) -> np.ndarray:
         raise ArgumentTypeError(f"corners is of type {type(corners).__name__}; it must be a whole number")
     if corners < 3:
         raise InvalidArgumentError(f"corners is {corners}; it must be at least 3")
+    places, exponent = scaled(np.append(points, [[distance, 0]], axis=0))
+    points, reach = places[:-1], places[-1, 0]
     hull = _hull(points)
     center = hull.mean(axis=0)
     angles = _side_angles(hull, int(corners))
     normals = np.column_stack([np.cos(angles), np.sin(angles)])
     # Lines n.x = h touch what is within the distance; neighbouring ones meet in a corner.
-    heights = ((hull - center) @ normals.T).max(axis=0) + distance
+    heights = ((hull - center) @ normals.T).max(axis=0) + reach
     pairs = np.stack([normals, np.roll(normals, -1, axis=0)], axis=1)
     right = np.stack([heights, np.roll(heights, -1)], axis=1)
-    return center + np.linalg.solve(pairs, right[:, :, None])[:, :, 0]
+    found = unscaled(center + np.linalg.solve(pairs, right[:, :, None])[:, :, 0], exponent)
+    if not np.isfinite(found).all():
+        raise InvalidArgumentError(f"distance is {distance}; the hull must be within the range of doubles")
+    return found
 
 
-def plane_points(points: Any) -> np.ndarray:
+def plane_points(points: Any) -> NDArray[np.float64]:
     """Make doubles of shape (n, 2) of at least one point of the plane, all finite."""
     found = point_rows(points)
     if found.shape[1] != 2 or len(found) == 0:

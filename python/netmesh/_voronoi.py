@@ -6,11 +6,13 @@ import functools
 from typing import Any, Optional
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._delaunay import Delaunay
+from ._incremental import Incremental
 
 
-class Voronoi:
+class Voronoi(Incremental):
     """The Voronoi diagram of points in 2 to 8 dimensions, as `scipy.spatial.Voronoi`.
 
     Which corners coincide is decided by exact signs.
@@ -52,6 +54,12 @@ class Voronoi:
     [0, 1, 2, 3]
     """
 
+    vertices: NDArray[np.float64]
+    ridge_points: NDArray[np.int32]
+    ridge_vertices: list[list[int]]
+    regions: list[list[int]]
+    point_region: NDArray[np.int64]
+
     def __init__(
         self,
         points: Any,
@@ -59,15 +67,14 @@ class Voronoi:
         incremental: bool = False,
         qhull_options: Optional[str] = None,
     ) -> None:
-        self._delaunay = Delaunay(points, furthest_site, incremental, qhull_options)
         self.furthest_site = False
-        self._make()
+        self._begin(points, furthest_site, incremental, qhull_options)
 
     def __repr__(self) -> str:
         return f"<netmesh.Voronoi: dim {self.points.shape[1]}, {len(self.points)} points>"
 
-    def _make(self) -> None:
-        tri = self._delaunay
+    def _make(self, points: np.ndarray) -> None:
+        tri = Delaunay(points)
         self.points = tri.points
         simplices, ridges, of_ridges, of_regions = tri.mesh._core.merged_voronoi()
         self.vertices = tri.mesh.circumcenters[simplices]
@@ -76,46 +83,11 @@ class Voronoi:
         self.regions = _lists(*of_regions)
         self.point_region = tri.mesh.input_vertices.astype(np.int64)
 
-    @property
-    def ndim(self) -> int:
-        return self._delaunay.ndim
-
-    @property
-    def npoints(self) -> int:
-        return self._delaunay.npoints
-
-    @property
-    def min_bound(self) -> np.ndarray:
-        return self._delaunay.min_bound
-
-    @property
-    def max_bound(self) -> np.ndarray:
-        return self._delaunay.max_bound
-
     @functools.cached_property
-    def ridge_dict(self) -> dict:
+    def ridge_dict(self) -> dict[tuple[int, int], list[int]]:
         return dict(zip(map(tuple, self.ridge_points.tolist()), self.ridge_vertices))
 
-    def add_points(self, points: Any, restart: bool = False) -> None:
-        """Add points: the diagram of all is made anew, whatever `restart`.
 
-        Examples
-        --------
-        >>> from netmesh import Voronoi
-        >>> vor = Voronoi([[0, 0], [1, 0], [0, 1]], incremental=True)
-        >>> vor.add_points([[0.3, 0.3]])
-        >>> len(vor.regions)
-        4
-        """
-        self._delaunay.add_points(points, restart)
-        self.__dict__.pop("ridge_dict", None)
-        self._make()
-
-    def close(self) -> None:
-        """Accept no more points: `add_points` raises `StateError` from now on."""
-        self._delaunay.close()
-
-
-def _lists(starts: np.ndarray, ids: np.ndarray) -> list:
-    bounds, ids = starts.tolist(), ids.tolist()
-    return [ids[start:end] for start, end in zip(bounds, bounds[1:])]
+def _lists(starts: np.ndarray, ids: np.ndarray) -> list[list[int]]:
+    bounds, numbers = starts.tolist(), ids.tolist()
+    return [numbers[start:end] for start, end in zip(bounds, bounds[1:])]

@@ -97,7 +97,9 @@ def test_equal_points_and_more_points(random):
     hull = netmesh.ConvexHull(twice, incremental=True)
     assert hull.vertices.max() < 40 and (hull.vertices == netmesh.ConvexHull(points).vertices).all()
     assert hull.equations.shape == (hull.nsimplex, 4) and hull.area > 0
+    assert hull.max_bound.max() < 1
     hull.add_points([[2, 2, 2], [0.5, 0.5, 0.5]])
+    assert hull.max_bound.tolist() == [2, 2, 2] and hull.npoints == 82
     check(hull)
     assert 80 in hull.vertices and 81 not in hull.vertices and hull.volume > netmesh.ConvexHull(points).volume
     hull.close()
@@ -107,3 +109,52 @@ def test_equal_points_and_more_points(random):
         netmesh.ConvexHull([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]])
     with pytest.raises(netmesh.InvalidArgumentError, match="^qhull_options has QG0"):
         netmesh.ConvexHull(points, qhull_options="QG0")
+
+
+def equations_by_facet(hull):
+    return {frozenset(facet): row for facet, row in zip(hull.simplices.tolist(), hull.equations)}
+
+
+@pytest.mark.parametrize("dim", [2, 3, 4])
+@pytest.mark.parametrize("exponent", [-900, 500, 532, 1020])
+def test_hulls_of_very_large_and_very_small_points_are_those_of_others(dim, exponent, random):
+    # Among the corners of the cube are points of its facets.
+    points = np.array(list(itertools.product([-1.0, 0.25, 1.0], repeat=dim)))
+    points = np.concatenate([points, random.normal(size=(20, dim))])
+    plain, scaled = (netmesh.ConvexHull(given) for given in (points, np.ldexp(points, exponent)))
+    assert (scaled.vertices == plain.vertices).all() and len(plain.vertices) < 3**dim
+    ours, theirs = equations_by_facet(scaled), equations_by_facet(plain)
+    # Points in one hyperplane may be parted otherwise.
+    normals = {tuple(np.round(row, 9) + 0.0) for row in plain.equations[:, :-1]}
+    assert {tuple(np.round(row, 9) + 0.0) for row in scaled.equations[:, :-1]} == normals
+    for facet in set(ours) & set(theirs):
+        assert np.allclose(np.ldexp(ours[facet][-1], -exponent), theirs[facet][-1], rtol=1e-12)
+    with np.errstate(over="ignore", under="ignore"):
+        for name, power in (("area", dim - 1), ("volume", dim)):
+            expected = np.ldexp(getattr(plain, name), power * exponent)
+            assert np.isclose(getattr(scaled, name), expected, rtol=1e-9, atol=0)
+
+
+@pytest.mark.parametrize("exponent", [-900, 0, 532])
+def test_points_in_general_position_need_no_exact_determinants(exponent, random, monkeypatch):
+    from netmesh import _convex_hull
+
+    asked = []
+    monkeypatch.setattr(_convex_hull, "_are_coplanar", lambda *given: asked.append(given))
+    hull = netmesh.ConvexHull(np.ldexp(random.normal(size=(100, 3)), exponent))
+    assert not asked and hull.nsimplex > 20
+
+
+def test_small_facets_of_large_hulls_have_normals():
+    hull = netmesh.ConvexHull([[0, 1e-200], [1e-200, 0], [1, 0.5], [1, 1], [0.5, 1]])
+    check(hull)
+    row = hull.equations[np.flatnonzero((hull.simplices < 2).all(axis=1))[0]]
+    assert np.allclose(row[:2], -np.sqrt(0.5))
+
+
+def test_points_whose_differences_are_no_doubles():
+    most = np.finfo(float).max
+    square = most * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1], [0, -1], [0, np.nextafter(-1, 0)]])
+    hull = netmesh.ConvexHull(square)
+    assert hull.vertices.tolist() == [0, 1, 2, 3] and hull.area == np.inf == hull.volume
+    assert np.allclose(np.abs(hull.equations[:, -1]) / most, 1)

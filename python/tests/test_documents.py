@@ -102,7 +102,7 @@ def test_every_option_of_the_library_is_a_keyword():
     rows = [line.split("|")[1] for line in page.split("\n") if line.startswith("| `")]
     options = {row.split("`")[1] for row in rows}
     given = {"points", "segments", "markers", "holes", "regions", "size", "background", "progress"}
-    given |= {"facets", "facet_markers"}
+    given |= {"facets", "facet_markers", "cutoff"}
     keywords = set(inspect.signature(netmesh.mesh).parameters)
     assert keywords - given == options and len(options) > 10
 

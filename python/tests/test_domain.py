@@ -3,6 +3,7 @@
 import dataclasses
 import json
 import pathlib
+import sys
 import warnings
 
 import numpy as np
@@ -89,8 +90,50 @@ def test_geojson_and_files_of_it_are_one_domain(tmp_path):
         made = netmesh.domain(thing)
         assert area(made) == pytest.approx(12, rel=1e-12) and set(made.markers.tolist()) == {1}
     assert set(netmesh.domain(collection, markers="k").markers.tolist()) == {5}
-    message = refused(lambda: netmesh.domain(path, markers="k"))
-    assert message.startswith("markers is 'k'; it must be left out with a file")
+
+def test_files_have_properties_as_markers(tmp_path):
+    def feature(number, ring):
+        geometry = {"type": "Polygon", "coordinates": [closed(ring)]} if ring else None
+        return {"type": "Feature", "properties": {"k": number, "name": "no number"}, "geometry": geometry}
+
+    path = tmp_path / "lakes.GeoJSON"
+    features = [feature(5, SQUARE), feature(6, None), feature(-7, LAKE)]
+    path.write_text(json.dumps({"type": "FeatureCollection", "features": features}))
+    assert netmesh.domain(path, markers="k").markers.tolist() == [5] * 4 + [-7] * 4
+    assert netmesh.domain(path).markers.tolist() == [1] * 4 + [3] * 4
+    message = refused(lambda: netmesh.domain(path, markers="code"))
+    assert message == "markers is 'code', which feature 0 has not; features must have it among their properties"
+    assert "the property 'name' has dtype" in refused(lambda: netmesh.domain(path, markers="name"))
+    message = refused(lambda: netmesh.domain(tmp_path / "none.geojson", markers="k"), netmesh.FileError)
+    assert "none.geojson: cannot open" in message
+    text = tmp_path / "lake.wkt"
+    text.write_text("POLYGON ((0 0, 4 0, 4 4, 0 0))")
+    for name in (text, str(text)):
+        message = refused(lambda: netmesh.domain(name, markers="k"))
+        assert message == f"markers is 'k'; {text} has no properties by name, as files of GeoJSON have"
+
+
+@pytest.mark.parametrize("end", [".gpkg", ".shp", ".fgb"])
+def test_tables_in_files_are_those_of_geopandas(end, tmp_path):
+    geopandas = pytest.importorskip("geopandas")
+    shapely = pytest.importorskip("shapely")
+    rows = [shapely.Polygon(SQUARE, [LAKE]), shapely.Polygon(ISLAND)]
+    path = tmp_path / f"lakes{end}"
+    geopandas.GeoDataFrame({"code": [7, 9]}, geometry=rows, crs="EPSG:3857").to_file(path)
+    made = netmesh.domain(path, markers="code")
+    assert sorted(made.markers.tolist()) == [7] * 8 + [9] * 4
+    assert area(made) == pytest.approx(13, rel=1e-12)
+    assert sorted(set(netmesh.domain(str(path)).markers.tolist())) == [1, 2]
+    path.write_bytes(b"no table")
+    assert refused(lambda: netmesh.domain(path), netmesh.FormatError).startswith(f"{path}: GeoPandas cannot read it: ")
+    missing = tmp_path / f"missing{end}"
+    assert refused(lambda: netmesh.domain(missing), netmesh.FileError).startswith(f"{missing}: GeoPandas cannot")
+
+
+def test_tables_in_files_need_geopandas(monkeypatch):
+    monkeypatch.setitem(sys.modules, "geopandas", None)
+    message = refused(lambda: netmesh.domain("lakes.gpkg"), netmesh.FormatError)
+    assert message == "lakes.gpkg: files of this kind are read by GeoPandas, which is not installed"
 
 
 def test_dicts_of_triangle_keep_regions_holes_and_largest_areas():

@@ -308,3 +308,34 @@ def test_ctrl_c_ends_an_estimate_of_gradients(random):
     with pytest.raises(KeyboardInterrupt):
         netmesh.CloughTocher2DInterpolator(tri, wave(points), tol=0, maxiter=10**8)
     assert time.perf_counter() - start < 5
+
+
+KINDS = ("LinearNDInterpolator", "CloughTocher2DInterpolator", "NearestNDInterpolator")
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("shape", [(30, 0), (30, 2, 0), (30, 0, 2)])
+def test_values_without_a_component_have_scipys_shapes(kind, shape, random):
+    points, x = random.random((30, 2)), random.random((4, 5, 2))
+    for dtype in (float, complex):
+        values = np.zeros(shape, dtype)
+        ours, theirs = (getattr(module, kind)(points, values) for module in (netmesh, scipy.interpolate))
+        assert ours.values.shape == theirs.values.shape
+        assert ours(x).shape == theirs(x).shape == (4, 5, *shape[1:])
+        assert ours(x).dtype == theirs(x).dtype
+        if kind.startswith("Clough"):
+            assert ours.grad.shape == theirs.grad.shape and ours.grad.dtype == theirs.grad.dtype
+    with pytest.raises(netmesh.InvalidArgumentError, match=r"must be \(30, \.\.\.\), one for each point"):
+        getattr(netmesh, kind)(points, np.zeros((29, 0)))
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("dtype", ["complex64", "complex128", "float32", "int32", "bool"])
+def test_results_have_scipys_types(kind, dtype, random):
+    points, x = random.random((30, 2)), 0.3 + 0.4 * random.random((20, 2))
+    values = (10 * random.random(30) + (3j if dtype.startswith("c") else 0)).astype(dtype)
+    ours, theirs = (getattr(module, kind)(points, values) for module in (netmesh, scipy.interpolate))
+    assert ours(x).dtype == theirs(x).dtype
+    if dtype.startswith("c"):
+        assert ours.values.dtype == theirs.values.dtype
+    assert np.allclose(ours(x), theirs(x), rtol=1e-6)

@@ -127,6 +127,19 @@ def test_an_offset_hull_is_convex_and_touches_what_is_near(corners, random):
         assert np.allclose(reach, 0.5, rtol=0, atol=1e-9)
 
 
+@pytest.mark.parametrize("exponent", [-1000, 532, 1015])
+def test_an_offset_hull_of_very_large_or_small_points_is_that_of_others(exponent, random):
+    points = random.normal(size=(40, 2))
+    hull = netmesh.offset_hull(np.ldexp(points, exponent), 2.0**exponent)
+    assert (hull == np.ldexp(netmesh.offset_hull(points, 1), exponent)).all()
+    # A point is small beside a large distance, and the other way round.
+    assert netmesh.offset_hull([[1, 2]], 1e200, corners=4).max() == pytest.approx(1e200, rel=1e-12)
+    assert len(netmesh.offset_hull([[1e200, 0], [0, 1e200], [0, 0]], 1e-200)) >= 16
+    rule = "^distance is 1e[+]308; the hull must be within the range of doubles"
+    with pytest.raises(netmesh.InvalidArgumentError, match=rule):
+        netmesh.offset_hull([[1e308, 0]], 1e308)
+
+
 def test_an_offset_hull_keeps_long_edges():
     turn = np.array([[0.8, 0.6], [-0.6, 0.8]])
     hull = netmesh.offset_hull([[0, 0], [10, 0], [10, 5], [0, 5]] @ turn, 1, 8) @ turn.T

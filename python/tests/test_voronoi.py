@@ -19,6 +19,7 @@ def ridges(vor, fewest=0):
 
 def check_alike(points):
     ours, theirs = netmesh.Voronoi(points), scipy.spatial.Voronoi(points)
+    mesh = netmesh.Delaunay(points).mesh
     assert len(ours.vertices) == len(theirs.vertices)
     # Qhull leaves out unbounded ridges with fewer corners, the one at infinity included.
     assert ridges(ours, points.shape[1]) == ridges(theirs)
@@ -27,7 +28,7 @@ def check_alike(points):
         assert len(region) == len(their_region) and (-1 in region) == (-1 in their_region)
         corners = ours.vertices[[i for i in region if i >= 0]]
         lengths = np.linalg.norm(corners - points[p], axis=1)
-        assert np.allclose(lengths, ours._delaunay.mesh.nearest(corners)[1], rtol=1e-6)
+        assert np.allclose(lengths, mesh.nearest(corners)[1], rtol=1e-6)
     return ours
 
 

@@ -416,7 +416,7 @@ enum Content<'a> {
     Voronoi(&'a Mesh, &'a Triangulation),
     Domains(&'a Triangulation),
     Svg(&'a Triangulation),
-    Html(&'a Triangulation, &'a [Attribute]),
+    Html(&'a Mesh, &'a Triangulation, &'a [Attribute]),
 }
 
 impl<'a> Content<'a> {
@@ -462,7 +462,7 @@ impl<'a> Content<'a> {
             Format::VoronoiJson => Ok(Self::Voronoi(mesh, triangulation()?)),
             Format::DomainsJson => triangulation().map(Self::Domains),
             Format::Svg => triangulation().map(Self::Svg),
-            Format::Html => Ok(Self::Html(triangulation()?, attributes)),
+            Format::Html => Ok(Self::Html(mesh, triangulation()?, attributes)),
             Format::Poly | Format::Smesh | Format::Obj | Format::Geojson | Format::Wkt => {
                 Err(format.read_only())
             }
@@ -500,7 +500,9 @@ impl<'a> Content<'a> {
             Self::Voronoi(mesh, triangulation) => voronoi::write(mesh.inputs(), triangulation, out),
             Self::Domains(triangulation) => domains::write(triangulation, out),
             Self::Svg(triangulation) => svg::write(triangulation, out),
-            Self::Html(triangulation, attributes) => html::write(triangulation, attributes, out),
+            Self::Html(mesh, triangulation, attributes) => {
+                html::write(triangulation, Markers::of(mesh).facets, attributes, out)
+            }
         }
     }
 }

@@ -21,12 +21,13 @@ function readMesh(text) {
   const mesh = JSON.parse(text);
   mesh.points = decoded(mesh.points, Float32Array);
   mesh.kinds = decoded(mesh.kinds, Uint8Array);
-  for (const name of ["simplices", "skin", "ends"]) mesh[name] = decoded(mesh[name], Uint32Array);
+  for (const name of ["simplices", "skin", "ends", "facets"]) mesh[name] = decoded(mesh[name], Uint32Array);
   for (const measure of mesh.measures) measure.values = decoded(measure.values, Float32Array);
   for (const labels of mesh.labels) labels.values = decoded(labels.values, Int32Array);
   for (const attribute of mesh.attributes) attribute.values = decoded(attribute.values, Float32Array);
   mesh.size = mesh.dim + 1;
   mesh.count = mesh.cells + mesh.triangles;
+  mesh.facetTable = mesh.facets.length > 0 ? facetTable(mesh.facets) : null;
   mesh.neighbors = mesh.dim === 3 ? neighborsOf(mesh.simplices) : null;
   return mesh;
 }
@@ -37,31 +38,40 @@ function verticesOf(mesh, cell) {
   return mesh.skin.subarray(3 * (cell - mesh.cells), 3 * (cell - mesh.cells) + 3);
 }
 
+/** Returns a table with room for triangles by their vertices, which are in `corners`, those of each ascending. */
+function emptyTable(corners) {
+  let bits = 4;
+  while (2 ** bits < (2 * corners.length) / 3) bits++;
+  return { bits, corners, slots: new Int32Array(2 ** bits).fill(-1) };
+}
+
+/** Returns the place in a table where the number of a triangle is, or where it belongs if -1 is there. */
+function slotOf({ bits, corners, slots }, a, b, c) {
+  // Of a product the upper digits are those that depend on all of the factor.
+  const mixed = Math.imul(Math.imul(Math.imul(a, 0x9e3779b1) + b, 0x85ebca6b) + c, 0xc2b2ae35);
+  let slot = mixed >>> (32 - bits);
+  for (; slots[slot] >= 0; slot = (slot + 1) & (slots.length - 1)) {
+    const at = 3 * slots[slot];
+    if (corners[at] === a && corners[at + 1] === b && corners[at + 2] === c) break;
+  }
+  return slot;
+}
+
 /** Returns, for each side of each tetrahedron, the tetrahedron beyond it, or -1: two tetrahedra are neighbours if
  *  they have a side in common, which a table of sides finds. */
 function neighborsOf(tetrahedra) {
-  const count = tetrahedra.length;
-  let bits = 4;
-  while (2 ** bits < 2 * count) bits++;
-  const mask = 2 ** bits - 1;
-  const table = new Int32Array(mask + 1).fill(-1);
   const sides = sortedSides(tetrahedra);
-  const neighbors = new Int32Array(count).fill(-1);
-  for (let side = 0; side < count; side++) {
-    const [a, b, c] = [sides[3 * side], sides[3 * side + 1], sides[3 * side + 2]];
-    // Of a product the upper digits are those that depend on all of the factor.
-    const mixed = Math.imul(Math.imul(Math.imul(a, 0x9e3779b1) + b, 0x85ebca6b) + c, 0xc2b2ae35);
-    let at = mixed >>> (32 - bits);
-    while (table[at] >= 0) {
-      const other = table[at];
-      if (sides[3 * other] === a && sides[3 * other + 1] === b && sides[3 * other + 2] === c) {
-        neighbors[side] = other >> 2;
-        neighbors[other] = side >> 2;
-        break;
-      }
-      at = (at + 1) & mask;
+  const table = emptyTable(sides);
+  const neighbors = new Int32Array(tetrahedra.length).fill(-1);
+  for (let side = 0; side < neighbors.length; side++) {
+    const slot = slotOf(table, sides[3 * side], sides[3 * side + 1], sides[3 * side + 2]);
+    const other = table.slots[slot];
+    if (other < 0) {
+      table.slots[slot] = side;
+      continue;
     }
-    if (table[at] < 0) table[at] = side;
+    neighbors[side] = other >> 2;
+    neighbors[other] = side >> 2;
   }
   return neighbors;
 }
@@ -73,14 +83,36 @@ function sortedSides(tetrahedra) {
     const first = side - (side & 3);
     let at = 3 * side;
     for (let corner = 0; corner < 4; corner++) if (corner !== (side & 3)) sides[at++] = tetrahedra[first + corner];
+  }
+  return sorted(sides);
+}
+
+/** Sorts the vertices of each triangle, and returns them. */
+function sorted(triangles) {
+  for (let at = 0; at < triangles.length; at += 3) {
     for (const [from, to] of SWAPS) {
-      const [low, high] = [sides[3 * side + from], sides[3 * side + to]];
+      const [low, high] = [triangles[at + from], triangles[at + to]];
       if (low <= high) continue;
-      sides[3 * side + from] = high;
-      sides[3 * side + to] = low;
+      triangles[at + from] = high;
+      triangles[at + to] = low;
     }
   }
-  return sides;
+  return triangles;
+}
+
+/** Returns the table of the triangles of facets. */
+function facetTable(facets) {
+  const table = emptyTable(sorted(facets.slice()));
+  const { corners, slots } = table;
+  for (let at = 0; at < corners.length; at += 3) {
+    slots[slotOf(table, corners[at], corners[at + 1], corners[at + 2])] = at / 3;
+  }
+  return table;
+}
+
+/** Returns the number of the facet's triangle with three vertices, or -1. */
+function facetOf(mesh, ...triangle) {
+  return mesh.facetTable ? mesh.facetTable.slots[slotOf(mesh.facetTable, ...sorted(triangle))] : -1;
 }
 
 /** Returns true if a vertex of the cell is an input. */
@@ -101,7 +133,7 @@ function wantedCells(mesh, state) {
   const wanted = new Uint8Array(mesh.count).fill(1);
   for (const labels of mesh.labels) {
     const hidden = state.hidden[labels.key];
-    if (hidden.size === 0) continue;
+    if (hidden.size === 0 || labels.of !== "cells") continue;
     for (let cell = 0; cell < mesh.count; cell++) if (hidden.has(labels.values[cell])) wanted[cell] = 0;
   }
   if (state.cells === "inputs") {
@@ -163,15 +195,23 @@ function visitFaces(mesh, shown, visit) {
   }
 }
 
-/** Returns the faces that are to be seen: their cells, and three vertices each. */
-function visibleFaces(mesh, shown) {
+/** Returns the faces that are to be seen: their cells, three vertices and the triangle of a facet, or -1, of each. */
+function visibleFaces(mesh, shown, state) {
+  const markers = mesh.labels.find((labels) => labels.of === "facets");
+  const hidden = state.hidden.markers ?? new Set();
+  const visit = (act) =>
+    visitFaces(mesh, shown, (cell, ...vertices) => {
+      const facet = facetOf(mesh, ...vertices);
+      if (facet < 0 || !hidden.has(markers.values[facet])) act(cell, facet, vertices);
+    });
   let count = 0;
-  visitFaces(mesh, shown, () => count++);
-  const faces = { count, cells: new Uint32Array(count), vertices: new Uint32Array(3 * count) };
+  visit(() => count++);
+  const [cells, vertices, facets] = [new Uint32Array(count), new Uint32Array(3 * count), new Int32Array(count)];
   let at = 0;
-  visitFaces(mesh, shown, (cell, a, b, c) => {
-    faces.cells[at] = cell;
-    faces.vertices.set([a, b, c], 3 * at++);
+  visit((cell, facet, corners) => {
+    cells[at] = cell;
+    facets[at] = facet;
+    vertices.set(corners, 3 * at++);
   });
-  return faces;
+  return { count, cells, vertices, facets };
 }

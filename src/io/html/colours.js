@@ -24,7 +24,8 @@ function figure(value) {
   return String(Number(value.toPrecision(4)));
 }
 
-/** Returns what cells can be coloured by: each with `of`, "cells" or "vertices", and the colour of one of these. */
+/** Returns what cells can be coloured by: each with `of`, "cells", "vertices" or "facets", and the colour of one of
+ *  these. */
 function colourings(mesh) {
   const measures = mesh.measures.map((measure) => ({
     ...measure,
@@ -35,7 +36,7 @@ function colourings(mesh) {
   const labels = mesh.labels.map((labels) => {
     const colours = new Map();
     labels.distinct.forEach((label, at) => colours.set(label, parsedColour(mesh.colours[at % mesh.colours.length])));
-    return { ...labels, of: "cells", colours, told: String };
+    return { ...labels, colours, told: String };
   });
   const attributes = mesh.attributes.map((attribute) => {
     const { name, least, most } = attribute;
@@ -47,9 +48,10 @@ function colourings(mesh) {
   return [...measures, ...labels, ...attributes, plain];
 }
 
-/** Returns the colour of a cell or vertex. */
+/** Returns the colour of a cell or vertex, or of a facet; grey for none. */
 function colourOf(colouring, index) {
   if (colouring.plain) return colouring.plain;
+  if (index < 0) return MISSING;
   const value = colouring.values[index];
   return colouring.colours ? colouring.colours.get(value) : colourAt(colouring.place(value));
 }
@@ -69,6 +71,7 @@ function fillLabels(legend, colouring, hidden, toggle) {
   const list = document.createElement("div");
   list.className = "labels";
   const counts = new Map();
+  const things = colouring.of === "facets" ? "triangles" : "cells";
   for (const label of colouring.values) counts.set(label, (counts.get(label) ?? 0) + 1);
   for (const [label, colour] of colouring.colours) {
     const [row, box, swatch] = ["label", "input", "i"].map((name) => document.createElement(name));
@@ -76,10 +79,14 @@ function fillLabels(legend, colouring, hidden, toggle) {
     box.checked = !hidden.has(label);
     box.addEventListener("change", () => toggle(label));
     swatch.style.background = `rgb(${colour})`;
-    row.append(box, swatch, `${colouring.name} ${label} (${counts.get(label) ?? 0} cells)`);
+    row.append(box, swatch, `${colouring.name} ${label} (${counts.get(label) ?? 0} ${things})`);
     list.append(row);
   }
   legend.append(list);
+  if (colouring.of !== "facets") return;
+  const words = document.createElement("p");
+  words.textContent = "grey: sides of cells that are in no facet";
+  legend.append(words);
 }
 
 /** Draws bars of how many values there are over the scale of colours, with numbers below. */

@@ -31,16 +31,19 @@ const LIMIT_IN_SPACE: usize = 400_000;
 
 pub(super) fn write(
     mesh: &Triangulation,
+    facet_markers: &[i32],
     attributes: &[Attribute],
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let limit = if mesh.dim == 2 { LIMIT_IN_PLANE } else { LIMIT_IN_SPACE };
-    let page = Page::new(mesh, attributes, limit).map_err(allocation_failed)?;
+    let page = Page::new(mesh, facet_markers, attributes, limit).map_err(allocation_failed)?;
     page.write(out)
 }
 
 struct Page<'a> {
     mesh: &'a Triangulation,
+    /// Facet -> its marker; empty if no facet has another one than 0.
+    facet_markers: &'a [i32],
     attributes: &'a [Attribute],
     facts: Facts<'a>,
     frame: Frame,
@@ -58,12 +61,15 @@ struct Page<'a> {
 impl<'a> Page<'a> {
     fn new(
         mesh: &'a Triangulation,
+        facet_markers: &'a [i32],
         attributes: &'a [Attribute],
         limit: usize,
     ) -> AllocResult<Self> {
         let cells = Kept::new(mesh.simplex_count(), limit);
+        let has_markers = facet_markers.iter().any(|&marker| marker != 0);
         let mut page = Self {
             mesh,
+            facet_markers: if has_markers { facet_markers } else { &[] },
             attributes,
             facts: Facts::new(mesh)?,
             frame: Frame::new(mesh),
@@ -112,6 +118,15 @@ impl<'a> Page<'a> {
     /// Returns the pieces of segments that are drawn.
     fn subsegments(&self) -> impl Iterator<Item = [u32; 2]> {
         self.segments.iter().map(|segment| self.mesh.boundary.subsegments[segment])
+    }
+
+    /// Returns the triangles of facets with markers whose vertices are in the page, as those of its
+    /// cells are, and their markers.
+    fn facets(&self) -> impl Iterator<Item = ([u32; 3], i32)> {
+        let has_markers = !self.facet_markers.is_empty();
+        let marked = has_markers.then(|| self.mesh.boundary.marked_facets(self.facet_markers));
+        let is_there = |vertex: &u32| self.numbers[*vertex as usize] != NONE;
+        marked.into_iter().flatten().filter(move |(corners, _)| corners.iter().all(is_there))
     }
 
     /// Returns the cells that triangles and tetrahedra of the page are of, in its order.
@@ -187,6 +202,8 @@ impl<'a> Page<'a> {
         write_array("simplices", simplices.map(|&vertex| number(vertex)), out)?;
         write_array("skin", self.skin().flat_map(|(_, triangle)| triangle).map(number), out)?;
         write_array("ends", self.subsegments().flatten().map(number), out)?;
+        let corners = self.facets().flat_map(|(corners, _)| corners);
+        write_array("facets", corners.map(number), out)?;
         self.write_measures(out)?;
         self.write_labels(out)?;
         self.write_attributes(out)?;
@@ -215,29 +232,32 @@ impl<'a> Page<'a> {
         out.write_all(b"}]")
     }
 
-    /// Writes labels of cells: regions, and domains if there are several.
+    /// Writes labels: regions of cells, their domains if there are several, and markers of facets.
     fn write_labels(&self, out: &mut dyn Write) -> io::Result<()> {
         let mesh = self.mesh;
+        let mut separator = "";
         out.write_all(br#","labels":["#)?;
         let regions = &mesh.boundary.simplex_regions;
         if !regions.is_empty() {
-            out.write_all(br#"{"name":"region","key":"regions","distinct":"#)?;
-            json::list(out, &self.facts.regions, |out, label| write!(out, "{label}"))?;
-            let labels = self.drawn().map(|cell| regions[cell].to_le_bytes());
-            write_array("values", labels, out)?;
-            out.write_all(b"}")?;
+            let labels = self.drawn().map(|cell| regions[cell]);
+            write_label(("region", "regions", "cells"), &self.facts.regions, labels, out)?;
+            separator = ",";
         }
         if mesh.domains.len() > 1 {
-            if !regions.is_empty() {
-                out.write_all(b",")?;
-            }
             let domain = |cell| domain_of(mesh, mesh.simplex(cell)) as i32;
             let found = collected(self.drawn().map(domain)).map_err(allocation_failed)?;
-            out.write_all(br#"{"name":"domain","key":"domains","distinct":"#)?;
             let known = distinct(&found).map_err(allocation_failed)?;
-            json::list(out, &known, |out, label| write!(out, "{label}"))?;
-            write_array("values", found.iter().map(|domain| domain.to_le_bytes()), out)?;
-            out.write_all(b"}")?;
+            out.write_all(separator.as_bytes())?;
+            write_label(("domain", "domains", "cells"), &known, found.into_iter(), out)?;
+            separator = ",";
+        }
+        if !self.facet_markers.is_empty() {
+            let markers = self.facets().map(|(_, marker)| marker);
+            let found = collected(markers).map_err(allocation_failed)?;
+            let known = distinct(&found).map_err(allocation_failed)?;
+            out.write_all(separator.as_bytes())?;
+            let names = ("facet marker", "markers", "facets");
+            write_label(names, &known, found.into_iter(), out)?;
         }
         out.write_all(b"]")
     }
@@ -294,6 +314,21 @@ fn part(value: f64, least: f64, most: f64) -> f64 {
 
 fn single(value: f64) -> [u8; 4] {
     (value as f32).to_le_bytes()
+}
+
+/// Writes labels as JSON: their name, their key in the page's address, what has them, the different
+/// ones and all.
+fn write_label(
+    (name, key, of): (&str, &str, &str),
+    distinct: &[i32],
+    labels: impl Iterator<Item = i32>,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    write!(out, r#"{{"name":"{name}","key":"{key}","distinct":"#)?;
+    json::list(out, distinct, |out, label| write!(out, "{label}"))?;
+    write!(out, r#","of":"{of}""#)?;
+    write_array("values", labels.map(i32::to_le_bytes), out)?;
+    out.write_all(b"}")
 }
 
 /// Writes the name of a component of an attribute as other formats have it: `name`, or `name_0`.

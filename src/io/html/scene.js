@@ -145,7 +145,7 @@ class Picture {
       let colour = MISSING;
       let isSmooth = false;
       if (spots.length === 0) {
-        colour = colourOf(colouring, faces.cells[face]);
+        colour = colourOf(colouring, (colouring.of === "facets" ? faces.facets : faces.cells)[face]);
       } else {
         vertices.forEach((vertex, at) => (spots[3 * face + at] = colouring.place(colouring.values[vertex])));
         const own = spots.subarray(3 * face, 3 * face + 3);

@@ -1,6 +1,6 @@
 //! The page as a browser gets it: its JSON is that of the mesh, and nothing in it asks a network.
 
-use super::super::{Format, samples, write, write_with};
+use super::super::{Format, Markers, samples, write, write_with};
 use super::*;
 use crate::error::ErrorKind;
 use crate::mesh::Mesh;
@@ -14,7 +14,11 @@ fn page(mesh: &Mesh, attributes: &[Attribute]) -> String {
 
 fn thinned(mesh: &Mesh, limit: usize) -> String {
     let mut page = Vec::new();
-    Page::new(mesh.triangulation().unwrap(), &[], limit).unwrap().write(&mut page).unwrap();
+    let markers = Markers::of(mesh).facets;
+    Page::new(mesh.triangulation().unwrap(), markers, &[], limit)
+        .unwrap()
+        .write(&mut page)
+        .unwrap();
     String::from_utf8(page).unwrap()
 }
 
@@ -140,6 +144,29 @@ fn labels_and_segments_are_those_of_the_mesh() {
     let domains: Vec<u32> = simplices.map(|cell| domain_of(triangulation, cell)).collect();
     assert_eq!(ids(values(json, "domain")), domains);
     assert!(json.contains(r#""key":"domains","distinct":[0,1"#), "{json}");
+}
+
+#[test]
+fn facets_have_the_markers_of_the_mesh() {
+    let mesh = samples::solid_with_facets();
+    let page = page(&mesh, &[]);
+    let json = json_of(&page);
+    let label = r#""name":"facet marker","key":"markers","distinct":[-5,0,9],"of":"facets""#;
+    assert!(json.contains(label), "{json}");
+    assert_eq!(ids(values(json, "facet marker")), [-5i32 as u32, 9, 0]);
+    let facets = mesh.triangulation().unwrap().boundary.subfacets.as_flattened();
+    assert_eq!(ids(field(json, "facets")), facets);
+    // Of one of two tetrahedra there are the facets whose vertices its outside has, too.
+    let one = thinned(&mesh, 1);
+    let corners = ids(field(json_of(&one), "facets"));
+    assert_eq!(corners.len(), 3 * ids(values(json_of(&one), "facet marker")).len());
+    let vertices = field(json_of(&one), "vertices").parse().unwrap();
+    assert!(!corners.is_empty() && corners.iter().all(|&corner| corner < vertices));
+    // Without markers there is nothing to choose.
+    let mesh = mesh.with_facet_markers(vec![0; 3]);
+    let page = self::page(&mesh, &[]);
+    let json = json_of(&page);
+    assert!(field(json, "facets").is_empty() && !json.contains("facet marker"), "{json}");
 }
 
 #[test]

@@ -86,7 +86,7 @@ class Viewer {
     this.colouring = this.colourings.find((colouring) => colouring.key === state.by);
     const range = this.ranges["xyz".indexOf(state.axis)];
     this.shown = cutCells(mesh, this.wanted, state, range);
-    this.faces = visibleFaces(mesh, this.shown);
+    this.faces = visibleFaces(mesh, this.shown, state);
     picture.showFaces(this.faces, this.colouring);
     picture.faces.material.uniforms.edges.value = state.edges ? 1 : 0;
     picture.faces.material.uniforms.light.value = state.light && mesh.dim === 3 ? 1 : 0;
@@ -185,10 +185,11 @@ class Viewer {
     const vertices = [...verticesOf(mesh, cell)];
     const number = cell < mesh.cells ? Math.floor((cell * mesh.all) / mesh.cells) : null;
     const lines = [number === null ? "Triangle of a cell that was left out" : `Cell ${number}`];
+    const facet = this.faces.facets[face];
+    const places = { cells: [cell], vertices, facets: facet < 0 ? [] : [facet] };
     for (const { name, of, values, told, plain } of this.colourings) {
-      if (plain) continue;
-      const own = of === "cells" ? told(values[cell]) : vertices.map((vertex) => told(values[vertex])).join(", ");
-      lines.push(`${name}: ${own}`);
+      if (plain || places[of].length === 0) continue;
+      lines.push(`${name}: ${places[of].map((place) => told(values[place])).join(", ")}`);
     }
     for (const vertex of vertices) {
       const place = [0, 1, 2].slice(0, mesh.dim).map((axis) => mesh.center[axis] + mesh.points[3 * vertex + axis] * mesh.half);

@@ -55,7 +55,7 @@
  * point of the caller, duplicates included, and has the caller's number. Vertices 0, 1, ... are the
  * distinct inputs in input order, Steiner and cage vertices follow: as soon as a point is given twice,
  * the numbers of inputs and vertices differ. What describes the mesh speaks of vertices. Of inputs
- * speak: segments and whatever is set; nm_mesh_nearest_input; the boundary of an alpha shape; files of
+ * speak: segments and whatever is set; nm_mesh_nearest_input; boundaries of alpha shapes, surfaces; files of
  * NM_FILTRATION_ALPHA. nm_mesh_get_input_vertices and nm_mesh_get_vertex_inputs lead from one to the
  * other.
  *
@@ -164,6 +164,8 @@
       0, 0, 0, 0, 0, 0 }
 /** The initial value of an nm_alpha_shape. */
 #define NM_ALPHA_SHAPE_INIT { sizeof(nm_alpha_shape), 0, 0, 0, 0, 0, { 0 }, { 0 } }
+/** The initial value of an nm_surface. */
+#define NM_SURFACE_INIT { sizeof(nm_surface), 0, 0, 0, 0, 0, 0, 0 }
 /** The initial value of an nm_region. */
 #define NM_REGION_INIT { sizeof(nm_region), 0, { 0, 0, 0 }, 0, 0, 0 }
 /** The initial value of an nm_intersection, of which the first in an array needs one. */
@@ -705,6 +707,19 @@ enum nm_violation
      */
     NM_VIOLATION_SUBFACET_SIMPLICES = 21,
     /**
+     * A ridge of a surface, an edge in space, is not between two facets that have it in opposite
+     * directions.
+     */
+    NM_VIOLATION_SURFACE_RIDGE = 22,
+    /**
+     * The facets of a surface round a vertex are not connected at that vertex.
+     */
+    NM_VIOLATION_SURFACE_FAN = 23,
+    /**
+     * A vertex is on a surface and said to be left out, or neither.
+     */
+    NM_VIOLATION_SURFACE_VERTICES = 24,
+    /**
      * Ids of a mesh on several ranks do not rise, are out of range, or are counted from different
      * numbers by two ranks.
      */
@@ -800,6 +815,10 @@ enum nm_violation
      * the caller's and are not on the boundary of a hull or box.
      */
     NM_VIOLATION_FACET_GROUP = 115,
+    /**
+     * A facet of a surface is no face of the mesh, or is there twice.
+     */
+    NM_VIOLATION_SURFACE_FACE = 116,
     /**
      * An input's vertex does not exist or has other coordinates.
      */
@@ -1660,6 +1679,88 @@ typedef struct nm_alpha_shape {
 } nm_alpha_shape;
 
 /**
+ * Measures of a surface through points, from nm_mesh_surface.
+ */
+typedef struct nm_surface {
+    /**
+     * Set by the caller to sizeof(nm_surface).
+     */
+    uint32_t struct_size;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+    /**
+     * The volume that it encloses (an area in 2D), in the unit of the coordinates to the power
+     * dim.
+     */
+    double volume;
+    /**
+     * Number of facets: triangles in 3D, edges in 2D.
+     */
+    uint64_t facets;
+    /**
+     * Number of vertices that are on it.
+     */
+    uint64_t vertices;
+    /**
+     * Number of vertices that are not on it.
+     */
+    uint64_t left_out;
+    /**
+     * Number of connected parts: closed surfaces in 3D, closed curves in 2D.
+     */
+    uint64_t shells;
+    /**
+     * Number of handles of all shells: 0 for a sphere, 1 for a torus; 0 in 2D.
+     */
+    uint64_t handles;
+} nm_surface;
+
+/**
+ * Findings of nm_mesh_validate.
+ */
+typedef struct nm_report {
+    /**
+     * Set by the caller to sizeof(nm_report).
+     */
+    uint32_t struct_size;
+    /**
+     * The highest level of which no rule is broken; 0 if one of level 1 is.
+     */
+    uint32_t level;
+    /**
+     * Violations found.
+     */
+    uint64_t violations;
+    /**
+     * Checks made.
+     */
+    uint64_t checked;
+    /**
+     * The first violation's kind; NM_VIOLATION_NONE if there is none.
+     */
+    nm_violation kind;
+    /**
+     * The first violation's simplex; NM_NONE if it concerns none.
+     */
+    uint32_t simplex;
+    /**
+     * The first violation's vertex; NM_NONE if it concerns none.
+     */
+    uint32_t vertex;
+    /**
+     * The first violation's domain; NM_NONE if it concerns none.
+     */
+    uint32_t domain;
+    /**
+     * The first violation in words: UTF-8 with its NUL, cut between characters; "" if there is
+     * none.
+     */
+    char message[160];
+} nm_report;
+
+/**
  * Label, size or hole of a region that segments (2D) or facets (3D) bound, told by a point in it.
  */
 typedef struct nm_region {
@@ -2030,49 +2131,6 @@ typedef struct nm_stats {
      */
     double insertion_constant_cage;
 } nm_stats;
-
-/**
- * Findings of nm_mesh_validate.
- */
-typedef struct nm_report {
-    /**
-     * Set by the caller to sizeof(nm_report).
-     */
-    uint32_t struct_size;
-    /**
-     * The highest level of which no rule is broken; 0 if one of level 1 is.
-     */
-    uint32_t level;
-    /**
-     * Violations found.
-     */
-    uint64_t violations;
-    /**
-     * Checks made.
-     */
-    uint64_t checked;
-    /**
-     * The first violation's kind; NM_VIOLATION_NONE if there is none.
-     */
-    nm_violation kind;
-    /**
-     * The first violation's simplex; NM_NONE if it concerns none.
-     */
-    uint32_t simplex;
-    /**
-     * The first violation's vertex; NM_NONE if it concerns none.
-     */
-    uint32_t vertex;
-    /**
-     * The first violation's domain; NM_NONE if it concerns none.
-     */
-    uint32_t domain;
-    /**
-     * The first violation in words: UTF-8 with its NUL, cut between characters; "" if there is
-     * none.
-     */
-    char message[160];
-} nm_report;
 
 /**
  * Receives an export from nm_export_write, piece by piece and in order, on the thread that called.
@@ -3101,7 +3159,8 @@ nm_status nm_mesh_optimal_alpha(const struct nm_mesh *mesh,
  * Writes the boundary of nm_mesh_get_alpha_shape_boundary to a file, which appears complete or not
  * at all, with the vertices that it has: triangles in 3D, edges in 2D.
  *
- * path_utf8: UTF-8 on every system; it ends with .ply or .off.
+ * path_utf8: UTF-8 on every system; it ends with .ply, .off, .stl (in 3D, with single
+ * precision) or .obj.
  *
  * Errors: as nm_mesh_alpha_shape; NM_NULL_ARGUMENT (path_utf8), NM_INVALID_ARGUMENT (path_utf8
  * empty, not UTF-8, or with another extension; a mesh of four dimensions or more), NM_IO (the
@@ -3111,6 +3170,100 @@ NM_NODISCARD NM_API
 nm_status nm_export_alpha_shape(const struct nm_mesh *mesh,
                                 double alpha,
                                 const char *path_utf8);
+
+/**
+ * Finds the surface that the inputs were sampled from, and measures it: a closed surface in 3D,
+ * closed curves in 2D. No normals are asked for. It is the boundary of some simplices, so it is
+ * watertight, has no intersections, is oriented, and its vertices are inputs; it is a manifold.
+ * Outliers, and inputs that noise moved off it, are left out.
+ *
+ * Where it is sampled densely for its curvature and thickness it has the topology of the surface
+ * that was sampled. What is open is closed somehow.
+ *
+ * surface: the caller sets struct_size. No facets mean that the inputs tell of no inside.
+ *
+ * Errors: NM_NULL_ARGUMENT (mesh, surface), NM_INVALID_ARGUMENT (a mesh of four dimensions or more;
+ * a vertex is no input: the message says what to do; surface->struct_size), NM_LIMIT (more than
+ * 2^30 simplices), NM_OUT_OF_MEMORY, NM_STATE (no result yet, nm_run at work, poisoned).
+ *
+ * O(simplices log simplices) for the first call of this group after a run.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_surface(const struct nm_mesh *mesh,
+                          struct nm_surface *surface);
+
+/**
+ * Writes the facets of the surface: facets x dim inputs, numbers of the caller's points, of equal
+ * ones the first; oriented outwards as by nm_mesh_get_hull.
+ *
+ * Array getter, see the top of this file. Errors: as nm_mesh_surface; NM_CAPACITY.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_surface_facets(const struct nm_mesh *mesh,
+                                     uint32_t *buf,
+                                     uint64_t capacity,
+                                     uint64_t *needed);
+
+/**
+ * Writes the inputs that are not on the surface, of equal ones the first, ascending.
+ *
+ * Array getter, see the top of this file. Errors: as nm_mesh_surface; NM_CAPACITY.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_surface_left_out(const struct nm_mesh *mesh,
+                                       uint32_t *buf,
+                                       uint64_t capacity,
+                                       uint64_t *needed);
+
+/**
+ * Writes the number of handles of each shell of the surface, in the order of their first vertices:
+ * 0 for a sphere, 1 for a torus; 0 in 2D.
+ *
+ * Array getter, see the top of this file. Errors: as nm_mesh_surface; NM_CAPACITY.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_surface_genera(const struct nm_mesh *mesh,
+                                     uint64_t *buf,
+                                     uint64_t capacity,
+                                     uint64_t *needed);
+
+/**
+ * Writes for each simplex 1 if the surface has it inside, else 0.
+ *
+ * Array getter, see the top of this file. Errors: as nm_mesh_surface; NM_CAPACITY.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_surface_insides(const struct nm_mesh *mesh,
+                                      uint8_t *buf,
+                                      uint64_t capacity,
+                                      uint64_t *needed);
+
+/**
+ * Checks the triangulation as nm_mesh_validate does at level 3, and the surface: it is closed,
+ * oriented and a manifold, its facets are faces of the triangulation, and each vertex is on it or
+ * left out.
+ *
+ * report: the caller sets struct_size.
+ *
+ * Errors: as nm_mesh_surface; NM_NULL_ARGUMENT (report). A violation is no error.
+ * O(simplices log simplices).
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_validate_surface(const struct nm_mesh *mesh,
+                                   struct nm_report *report);
+
+/**
+ * Writes the surface to a file, which appears complete or not at all, with the vertices that it
+ * has: triangles in 3D, edges in 2D.
+ *
+ * path_utf8: UTF-8 on every system; it ends with .ply, .off, .stl (in 3D, with single precision) or
+ * .obj.
+ *
+ * Errors: as nm_mesh_surface; NM_NULL_ARGUMENT (path_utf8), NM_INVALID_ARGUMENT (path_utf8 empty,
+ * not UTF-8, or with another extension; STL in 2D, or where single precision makes two corners of
+ * a triangle one), NM_IO (the message has the system's reason).
+ */
+NM_NODISCARD NM_API nm_status nm_export_surface(const struct nm_mesh *mesh, const char *path_utf8);
 
 /**
  * Gives the inputs values under a name. Exports to VTU, TetGen, Gmsh, PLY, CSV, NumPy and HTML

@@ -82,16 +82,17 @@ pub struct Arguments {
     /// Make the alpha shape of the input instead of a mesh: the faces of its Delaunay triangulation
     /// up to an alpha value. ALPHA is a squared radius; "connected", the least for which the shape
     /// is; or "optimal", the least for which its simplices reach all points and are one piece. The
-    /// output is its boundary, a file that ends with .ply, .off, .stl or .obj; the summary has its topology
+    /// output is its boundary, a file that ends with .ply, .off, .stl or .obj; the summary has its
+    /// topology
     #[arg(long, value_name = "ALPHA", value_parser = parse_alpha, allow_negative_numbers = true)]
     #[arg(
         conflicts_with_all = ["output_format", "attributes", "filtration", "finish", "hierarchical"]
     )]
     pub alpha_shape: Option<AlphaChoice>,
 
-    /// Find the closed surface that goes through the points, of which no normals are asked; a closed
-    /// curve in the plane. The output is the surface, a file that ends with .ply, .off, .stl or
-    /// .obj; outliers, and points that noise moved off it, are left out and counted
+    /// Find the closed surface that goes through the points, of which no normals are asked; a
+    /// closed curve in the plane. The output is the surface, a file that ends with .ply, .off, .stl
+    /// or .obj; outliers, and points that noise moved off it, are left out and counted
     #[arg(long)]
     #[arg(conflicts_with_all = [
         "output_format", "attributes", "filtration", "alpha_shape", "hierarchical", "with", "merge",

@@ -100,9 +100,16 @@ fn alpha_shape(shape: &Measured) -> Value {
     })
 }
 
+fn shell(shell: &Shell) -> Value {
+    json!({
+        "facets": shell.facets,
+        "vertices": shell.vertices,
+        "genus": shell.genus,
+    })
+}
+
 fn surface(found: &Found, dim: usize) -> Value {
     let Found { surface, points, volume } = found;
-    let shell = |shell: &Shell| json!({ "facets": shell.facets, "vertices": shell.vertices, "genus": shell.genus });
     json!({
         "facets": surface.facets.len() / dim,
         "points": points,

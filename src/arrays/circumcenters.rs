@@ -58,10 +58,16 @@ fn circumcenter<const D: usize>(mesh: &Triangulation, simplex: u32) -> ([f64; D]
 
 /// Returns the circumcentre of a simplex with an error of at most [`ACCEPTED`] radii; NaN for a
 /// flat simplex.
-pub(crate) fn accurate_center<const D: usize>(points: &[&[f64; D]]) -> Center<D> {
+pub(super) fn accurate_center<const D: usize>(points: &[&[f64; D]]) -> Center<D> {
+    center_within(ACCEPTED, points)
+}
+
+/// Returns the circumcentre of a simplex with an error of at most so many radii; NaN for a flat
+/// simplex.
+pub(crate) fn center_within<const D: usize>(accepted: f64, points: &[&[f64; D]]) -> Center<D> {
     let ball = Circumball::new(points);
     // The error of one that cannot be used is infinite.
-    if ball.error() < ACCEPTED * norm(&ball.center) && ball.error().is_finite() {
+    if ball.error() < accepted * norm(&ball.center) && ball.error().is_finite() {
         return ball.into();
     }
     match circumcenter_exact(points, 0) {

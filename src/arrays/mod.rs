@@ -43,7 +43,7 @@ mod walk;
 
 pub use bounding_box::placements_in_box;
 pub use circumcenters::Circumcenters;
-pub(crate) use circumcenters::accurate_center;
+pub(crate) use circumcenters::center_within;
 pub use convex_hull::ConvexHull;
 pub use faces::{Facets, Hull};
 pub use groups::{Arrays, Group};

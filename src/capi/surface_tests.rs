@@ -3,6 +3,7 @@
 use super::enums::nm_status;
 use super::handle::nm_mesh;
 use super::measures::nm_mesh_validate;
+use super::run::nm_run;
 use super::structs::nm_report;
 use super::surfaces::*;
 use super::test_support::{last_message, square};
@@ -11,8 +12,8 @@ use crate::options::{Algorithm, Options};
 use std::ffi::CString;
 use std::ptr::{null, null_mut};
 
-/// Returns the Delaunay triangulation of the corners of the unit square, the first of them twice, and
-/// a point far from it.
+/// Returns the Delaunay triangulation of the corners of the unit square, the first of them twice,
+/// and a point far from it.
 fn delaunay() -> nm_mesh {
     let points = [0.0, 0.0, 9.0, 0.5, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 1.0];
     let mut mesh = Mesh::new(2, 6, &points, 0).unwrap();
@@ -50,7 +51,8 @@ fn a_surface_has_measures() {
 fn arrays_speak_of_inputs() {
     let mesh = delaunay();
     let mut needed = 0;
-    let (mut facets, mut left_out, mut genera, mut insides) = ([0u32; 8], [0u32; 1], [9u64], [7; 9]);
+    let (mut facets, mut left_out, mut genera, mut insides) =
+        ([0u32; 8], [0u32; 1], [9u64], [7; 9]);
     // SAFETY: a live handle and buffers of the capacity that is said.
     unsafe {
         let get = nm_mesh_get_surface_facets;
@@ -102,14 +104,15 @@ fn what_has_no_surface_is_refused() {
         assert_eq!(nm_mesh_surface(&mesh, null_mut()), nm_status::NM_NULL_ARGUMENT);
         assert_eq!(last_message(), "surface is NULL");
         assert_eq!(nm_mesh_surface(null(), &mut surface), nm_status::NM_NULL_ARGUMENT);
-        let unfinished = nm_mesh::new(square());
+        let unfinished = square();
         assert_eq!(nm_mesh_surface(&unfinished, &mut surface), nm_status::NM_STATE);
     }
     let mut refined = square();
-    refined.run(&Options::default(), None).unwrap();
-    let refined = nm_mesh::new(refined);
     // SAFETY: a live handle.
-    let status = unsafe { nm_mesh_surface(&refined, &mut surface) };
+    let status = unsafe {
+        assert_eq!(nm_run(&mut refined, null()), nm_status::NM_OK);
+        nm_mesh_surface(&refined, &mut surface)
+    };
     assert_eq!(status, nm_status::NM_INVALID_ARGUMENT);
     assert!(last_message().contains("NM_ALGORITHM_DELAUNAY"), "{}", last_message());
 }

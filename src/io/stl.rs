@@ -212,7 +212,7 @@ pub(super) fn check_precision(mesh: &Triangulation) -> Result<()> {
 /// Fails if single precision does not hold some triangles of a mesh in space.
 ///
 /// # Errors
-/// Those of [`check_precision`].
+/// Fails as [`check_precision`] does.
 pub(super) fn check_triangles(
     mesh: &Triangulation,
     triangles: impl Iterator<Item = [u32; 3]> + Clone,

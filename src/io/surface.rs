@@ -45,7 +45,8 @@ impl SurfaceFormat {
 /// Writes facets (`dim` vertices each) of a mesh in 2D or 3D, and the vertices that they have.
 ///
 /// # Errors
-/// `InvalidArgument` (another dimension; what STL cannot hold); `Io`: `out` fails, it is not called again; `OutOfMemory`.
+/// `InvalidArgument` (another dimension; what STL cannot hold); `Io`: `out` fails, it is not called
+/// again; `OutOfMemory`.
 pub fn write_surface(
     inputs: &Inputs,
     mesh: &Triangulation,

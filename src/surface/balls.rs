@@ -1,6 +1,6 @@
 //! The Delaunay balls of the simplices, and how deeply two of them intersect.
 
-use crate::arrays::accurate_center;
+use crate::arrays::center_within;
 use crate::memory::{AllocResult, with_capacity};
 use crate::mesh::{NONE, Triangulation};
 use crate::numerics::norm;
@@ -8,8 +8,11 @@ use crate::query::dual::{Center, dot};
 use crate::query::unit::{Unit, largest, scaled};
 use crate::query::view::View;
 
-/// The circumballs of the simplices of a Delaunay triangulation. Beyond a facet of the hull there is
-/// a halfspace instead, the limit of balls.
+/// Largest error of a circumcentre, relative to the radius: its direction is evidence, no sign.
+const ACCEPTED: f64 = 1e-6;
+
+/// The circumballs of the simplices of a Delaunay triangulation. Beyond a facet of the hull there
+/// is a halfspace instead, the limit of balls.
 pub struct Balls<'a, const D: usize> {
     pub view: View<'a, D>,
     centers: Vec<Center<D>>,
@@ -35,7 +38,7 @@ impl<'a, const D: usize> Balls<'a, D> {
         let (mut centers, mut radii) = (with_capacity(count)?, with_capacity(count)?);
         for simplex in 0..count as u32 {
             let points = view.points_of(view.simplex(simplex));
-            let center = accurate_center::<D>(&points[..=D]);
+            let center = center_within::<D>(ACCEPTED, &points[..=D]);
             radii.push(scaled(norm(&center.offset), center.exponent));
             centers.push(center);
         }
@@ -49,14 +52,23 @@ impl<'a, const D: usize> Balls<'a, D> {
 
     /// Returns the unit vector from a vertex of a simplex to its circumcentre.
     pub fn direction(&self, simplex: u32, vertex: u32) -> [f64; D] {
+        unit_vector(self.to_center(simplex, vertex))
+    }
+
+    /// Returns the vector from a vertex of a simplex to its circumcentre, in a unit of the simplex.
+    fn to_center(&self, simplex: u32, vertex: u32) -> [f64; D] {
         let center = &self.centers[simplex as usize];
         let anchor = self.view.point(self.view.simplex(simplex)[center.anchor]);
         let point = self.view.point(vertex);
+        // Twice the radius in this unit is the largest difference.
+        let factor = scaled(1.0, -center.exponent);
+        let is_safe = (1e-290..1e290).contains(&factor);
         let from_anchor = |i: usize| match anchor[i] - point[i] {
+            step if is_safe => step * factor,
             step if step.is_finite() => scaled(step, -center.exponent),
             _ => scaled(0.5 * anchor[i] - 0.5 * point[i], 1 - center.exponent),
         };
-        unit_vector(std::array::from_fn(|i| from_anchor(i) + center.offset[i]))
+        std::array::from_fn(|i| from_anchor(i) + center.offset[i])
     }
 
     /// Returns the unit vector at right angles to a facet of the hull, outwards.

@@ -78,8 +78,8 @@ impl Surface {
         Ok(Self { is_inside, facets, shells, left_out })
     }
 
-    /// Returns the coordinates of the vertices of the surface, `vertices x dim`, and its facets with
-    /// numbers of these. O(vertices of the triangulation + facets).
+    /// Returns the coordinates of the vertices of the surface, `vertices x dim`, and its facets
+    /// with numbers of these. O(vertices of the triangulation + facets).
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -110,10 +110,11 @@ impl Surface {
 fn solid<const D: usize>(mesh: &Triangulation) -> Result<Vec<bool>> {
     let balls = Balls::<D>::new(mesh)?;
     let stars = Part::whole(mesh)?.vertex_simplices()?;
-    let poles = poles::poles(&balls, &stars)?;
+    let poles = poles::poles(&balls)?;
     let mut is_inside = sides::sides(&balls, &poles)?;
     pieces::settle(mesh, &stars, &poles, &mut is_inside)?;
-    pinches::unpinch(&balls, &stars, &mut is_inside)?;
-    pieces::settle(mesh, &stars, &poles, &mut is_inside)?;
+    if pinches::unpinch(&balls, &stars, &mut is_inside)? {
+        pieces::settle(mesh, &stars, &poles, &mut is_inside)?;
+    }
     Ok(is_inside)
 }

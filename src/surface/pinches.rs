@@ -6,7 +6,7 @@
 //! sphere about an end of the edge, a closed curve between those outside.)
 
 use super::balls::Balls;
-use crate::memory::{AllocResult, Lists, TryGrow, collected, enqueue, filled};
+use crate::memory::{AllocResult, Lists, TryGrow, enqueue, filled};
 use crate::mesh::NONE;
 use std::collections::VecDeque;
 
@@ -35,33 +35,43 @@ struct Wedge {
 
 /// Changes the sides of simplices until the surface is a manifold: at each vertex where it touches
 /// itself, of the connected simplices there those whose change costs least ([`Balls::cost`]).
-/// Returns the number of changes.
+/// Returns true if there were changes.
 pub fn unpinch<const D: usize>(
     balls: &Balls<'_, D>,
     stars: &Lists,
     is_inside: &mut [bool],
-) -> AllocResult<u64> {
+) -> AllocResult<bool> {
     let vertices = balls.view.mesh.vertex_count();
     let mut pinches = Pinches {
         balls,
         stars,
         returns: filled(is_inside.len(), 0u8)?,
         is_inside,
-        waiting: collected(0..vertices as u32)?.into(),
-        is_waiting: filled(vertices, true)?,
+        waiting: VecDeque::new(),
+        is_waiting: filled(vertices, false)?,
     };
-    let mut changes = 0;
+    // Vertices near each other, one after the other.
+    balls.view.mesh.simplices.iter().try_for_each(|&vertex| pinches.wait(vertex))?;
+    let mut has_changed = false;
     while let Some(vertex) = pinches.waiting.pop_front() {
         pinches.is_waiting[vertex as usize] = false;
         if let Some(wedge) = pinches.cheapest_change(vertex)? {
             pinches.change(&wedge)?;
-            changes += wedge.simplices.len() as u64;
+            has_changed = true;
         }
     }
-    Ok(changes)
+    Ok(has_changed)
 }
 
 impl<const D: usize> Pinches<'_, D> {
+    /// Puts a vertex last among those that are to be looked at, if it is not there.
+    fn wait(&mut self, vertex: u32) -> AllocResult<()> {
+        match std::mem::replace(&mut self.is_waiting[vertex as usize], true) {
+            true => Ok(()),
+            false => enqueue(&mut self.waiting, vertex),
+        }
+    }
+
     /// Returns what to change at a vertex; nothing where the surface is a manifold.
     fn cheapest_change(&self, vertex: u32) -> AllocResult<Option<Wedge>> {
         let star = self.stars.of(vertex as usize);
@@ -167,9 +177,7 @@ impl<const D: usize> Pinches<'_, D> {
             *is_inside = !*is_inside;
             self.returns[simplex as usize] += u8::from(*is_inside);
             for &vertex in self.balls.view.simplex(simplex) {
-                if !std::mem::replace(&mut self.is_waiting[vertex as usize], true) {
-                    enqueue(&mut self.waiting, vertex)?;
-                }
+                self.wait(vertex)?;
             }
         }
         Ok(())

@@ -2,13 +2,13 @@
 //! "Curve and Surface Reconstruction", 2007, section 4.1).
 
 use super::balls::{Balls, unit_vector};
-use crate::memory::{AllocResult, Lists, collected, filled};
+use crate::memory::{AllocResult, filled};
 use crate::mesh::NONE;
 use crate::query::dual::dot;
 
 /// The poles of a vertex: the circumcentres of its simplices that are farthest from it, one on each
-/// side of the surface if the vertex is on one. The cell of such a vertex is long and thin, at right
-/// angles to the surface.
+/// side of the surface if the vertex is on one. The cell of such a vertex is long and thin, at
+/// right angles to the surface.
 #[derive(Clone, Copy, Debug)]
 pub struct Poles {
     /// The simplex of the farthest circumcentre; [`NONE`] for a vertex of the hull, whose cell
@@ -21,11 +21,42 @@ pub struct Poles {
     pub opposition: f64,
 }
 
-/// Returns the poles of each vertex. O(simplices).
-pub fn poles<const D: usize>(balls: &Balls<'_, D>, stars: &Lists) -> AllocResult<Vec<Poles>> {
-    let normals = hull_normals(balls)?;
-    let count = balls.view.mesh.vertex_count();
-    collected((0..count).map(|vertex| poles_of(balls, stars.of(vertex), vertex as u32, &normals)))
+/// Returns the poles of each vertex. Of balls of one size the first counts. O(simplices).
+pub fn poles<const D: usize>(balls: &Balls<'_, D>) -> AllocResult<Vec<Poles>> {
+    let none = Poles { first: NONE, second: NONE, opposition: 0.0 };
+    let mut poles = filled(balls.view.mesh.vertex_count(), none)?;
+    let mut directions = hull_normals(balls)?;
+    directions.iter_mut().for_each(|direction| *direction = unit_vector(*direction));
+    let is_farther =
+        |simplex: u32, pole: u32| pole == NONE || balls.radius(simplex) > balls.radius(pole);
+    for_each_corner(balls, |simplex, vertex| {
+        let first = &mut poles[vertex as usize].first;
+        if directions[vertex as usize] == [0.0; D] && is_farther(simplex, *first) {
+            *first = simplex;
+        }
+    });
+    for (vertex, (poles, direction)) in (0..).zip(poles.iter().zip(&mut directions)) {
+        if poles.first != NONE {
+            *direction = balls.direction(poles.first, vertex);
+        }
+    }
+    for_each_corner(balls, |simplex, vertex| {
+        let Poles { second, opposition, .. } = &mut poles[vertex as usize];
+        if is_farther(simplex, *second) {
+            let cosine = dot(&directions[vertex as usize], &balls.direction(simplex, vertex));
+            if cosine < 0.0 {
+                (*second, *opposition) = (simplex, -cosine);
+            }
+        }
+    });
+    Ok(poles)
+}
+
+/// Calls a function for each vertex of each simplex.
+fn for_each_corner<const D: usize>(balls: &Balls<'_, D>, mut call: impl FnMut(u32, u32)) {
+    for simplex in 0..balls.view.mesh.simplex_count() as u32 {
+        balls.view.simplex(simplex).iter().for_each(|&vertex| call(simplex, vertex));
+    }
 }
 
 /// Returns for each vertex the sum of the outward normals of the facets of the hull that it has.
@@ -43,30 +74,4 @@ fn hull_normals<const D: usize>(balls: &Balls<'_, D>) -> AllocResult<Vec<[f64; D
         }
     }
     Ok(normals)
-}
-
-fn poles_of<const D: usize>(
-    balls: &Balls<'_, D>,
-    star: &[u32],
-    vertex: u32,
-    normals: &[[f64; D]],
-) -> Poles {
-    let outward = unit_vector(normals[vertex as usize]);
-    let (first, direction) = match outward == [0.0; D] {
-        true => match farthest(balls, star.iter().copied()) {
-            NONE => (NONE, outward),
-            first => (first, balls.direction(first, vertex)),
-        },
-        false => (NONE, outward),
-    };
-    let cosine = |simplex: u32| dot(&direction, &balls.direction(simplex, vertex));
-    let second = farthest(balls, star.iter().copied().filter(|&simplex| cosine(simplex) < 0.0));
-    let opposition = if second == NONE { 0.0 } else { -cosine(second) };
-    Poles { first, second, opposition }
-}
-
-/// Returns the simplex with the largest ball, of equal ones the first.
-fn farthest<const D: usize>(balls: &Balls<'_, D>, star: impl Iterator<Item = u32>) -> u32 {
-    let larger = |a: u32, b: u32| if balls.radius(b) > balls.radius(a) { b } else { a };
-    star.reduce(larger).unwrap_or(NONE)
 }

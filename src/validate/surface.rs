@@ -210,7 +210,7 @@ mod tests {
     use crate::options::{Algorithm, Options};
     use crate::surface::Surface;
 
-    /// A cube with a point above it that is not on the surface, and the surface of the cube.
+    /// Makes a cube with a point above it that is not on the surface, and the surface of the cube.
     fn cube() -> (Mesh, Surface) {
         let corners = (0..8).flat_map(|i| [i & 1, i >> 1 & 1, i >> 2].map(f64::from));
         let points: Vec<f64> = corners.chain([0.5, 0.5, 9.0]).collect();

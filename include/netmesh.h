@@ -3177,14 +3177,14 @@ nm_status nm_export_alpha_shape(const struct nm_mesh *mesh,
  * watertight, has no intersections, is oriented, and its vertices are inputs; it is a manifold.
  * Outliers, and inputs that noise moved off it, are left out.
  *
- * Where it is sampled densely for its curvature and thickness it has the topology of the surface
- * that was sampled. What is open is closed somehow.
+ * It has the topology of the surface that was sampled, where that is sampled densely for its
+ * curvature and thickness. A surface that is open is closed somehow.
  *
  * surface: the caller sets struct_size. No facets mean that the inputs tell of no inside.
  *
- * Errors: NM_NULL_ARGUMENT (mesh, surface), NM_INVALID_ARGUMENT (a mesh of four dimensions or more;
- * a vertex is no input: the message says what to do; surface->struct_size), NM_LIMIT (more than
- * 2^30 simplices), NM_OUT_OF_MEMORY, NM_STATE (no result yet, nm_run at work, poisoned).
+ * Errors: NM_NULL_ARGUMENT (mesh, surface), NM_INVALID_ARGUMENT (a mesh of four dimensions or
+ * more; a vertex is no input: the message says what to do; surface->struct_size), NM_LIMIT (more
+ * than 2^30 simplices), NM_OUT_OF_MEMORY, NM_STATE (no result yet, nm_run at work, poisoned).
  *
  * O(simplices log simplices) for the first call of this group after a run.
  */
@@ -3256,8 +3256,8 @@ nm_status nm_mesh_validate_surface(const struct nm_mesh *mesh,
  * Writes the surface to a file, which appears complete or not at all, with the vertices that it
  * has: triangles in 3D, edges in 2D.
  *
- * path_utf8: UTF-8 on every system; it ends with .ply, .off, .stl (in 3D, with single precision) or
- * .obj.
+ * path_utf8: UTF-8 on every system; it ends with .ply, .off, .stl (in 3D, with single precision)
+ * or .obj.
  *
  * Errors: as nm_mesh_surface; NM_NULL_ARGUMENT (path_utf8), NM_INVALID_ARGUMENT (path_utf8 empty,
  * not UTF-8, or with another extension; STL in 2D, or where single precision makes two corners of

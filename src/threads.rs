@@ -77,9 +77,33 @@ pub(crate) fn together<T: Send>(
     })
 }
 
+/// Does `work` on every piece, on as many threads as there are scratches: a thread has one for all
+/// that it does.
+///
+/// # Errors
+/// Fails as `work` does; pieces may then be left undone.
+pub(crate) fn share<P, S: Send>(
+    pieces: impl Iterator<Item = P> + Send,
+    scratches: &mut [S],
+    work: impl Fn(&mut S, P) -> AllocResult<()> + Sync,
+) -> AllocResult<()> {
+    let (threads, pieces) = (scratches.len(), Pieces::new(pieces));
+    let scratches = Pieces::new(scratches.iter_mut());
+    let run = || -> AllocResult<()> {
+        if let Some((_, scratch)) = scratches.take() {
+            while let Some((_, piece)) = pieces.take() {
+                work(scratch, piece)?;
+            }
+        }
+        Ok(())
+    };
+    together(threads, run, run)?.into_iter().collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::memory::AllocError;
 
     #[test]
     fn every_piece_is_taken_once_until_all_stop() {
@@ -94,6 +118,24 @@ mod tests {
         assert_eq!(pieces.take(), Some((0, 0)));
         assert!(pieces.stop() && !pieces.stop() && pieces.is_stopped());
         assert_eq!(pieces.take(), None);
+    }
+
+    #[test]
+    fn every_piece_is_done_with_the_scratch_of_a_thread() {
+        for threads in [1, 3] {
+            let (mut sums, mut done) = (vec![0; threads], vec![false; 1000]);
+            let work = |sum: &mut usize, (piece, done): (usize, &mut bool)| {
+                *sum += piece;
+                *done = true;
+                Ok(())
+            };
+            share(done.iter_mut().enumerate(), &mut sums, work).unwrap();
+            assert!(done.iter().all(|&done| done));
+            assert_eq!(sums.iter().sum::<usize>(), 999 * 500);
+        }
+        let fail = |_: &mut (), piece| if piece == 7 { Err(AllocError::Memory) } else { Ok(()) };
+        assert_eq!(share(0..9, &mut [(); 2], fail), Err(AllocError::Memory));
+        assert_eq!(share(0..7, &mut [(); 2], fail), Ok(()));
     }
 
     #[test]

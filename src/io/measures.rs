@@ -1,8 +1,8 @@
 //! Quality per simplex and per vertex, for the formats that viewers colour.
 
-use crate::memory::{AllocResult, TryGrow, with_capacity};
+use crate::memory::{AllocResult, TryGrow, collected, filled, with_capacity};
 use crate::mesh::{NONE, Triangulation};
-use crate::quality::cells::Cells;
+use crate::quality::cells::{Cells, pieces};
 use crate::quality::view::View;
 
 pub(super) struct Measures {
@@ -18,9 +18,17 @@ impl Measures {
     /// Measures a mesh of dimension `D`.
     pub fn new<const D: usize>(mesh: &Triangulation) -> AllocResult<Self> {
         let view = View::<D> { mesh };
-        let mut radius_edge = with_capacity(mesh.simplex_count())?;
-        let cells =
-            Cells::survey(view, None, 1.0, |simplex| radius_edge.try_push(simplex.radius_edge))?;
+        let mut radius_edge = filled(mesh.simplex_count(), 0.0)?;
+        let mut left = &mut *radius_edge;
+        let shares = pieces(mesh.simplex_count()).map(|piece| {
+            let (first, others) = std::mem::take(&mut left).split_at_mut(piece.len());
+            left = others;
+            (piece.start, first)
+        });
+        let cells = Cells::survey(view, None, 1.0, &mut collected(shares)?, |share, cell| {
+            share.1[cell.simplex - share.0] = cell.radius_edge;
+            Ok(())
+        })?;
         let on_hull = view.hull_vertices()?;
         let mut aspect = with_capacity(mesh.vertex_count())?;
         for (vertex, &on_hull) in on_hull.iter().enumerate() {

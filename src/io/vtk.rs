@@ -93,9 +93,7 @@ impl<S> DataArray<'_, S> {
     fn write_numbers(&self, source: &S, out: &mut dyn Write) -> io::Result<()> {
         out.write_all(&self.bytes().to_le_bytes())?;
         match self.numbers {
-            Numbers::Values(values) => {
-                values.iter().try_for_each(|x| out.write_all(&x.to_le_bytes()))
-            }
+            Numbers::Values(values) => write_numbers(values.iter().map(|x| x.to_le_bytes()), out),
             Numbers::Written(write) => write(source, out),
         }
     }
@@ -187,18 +185,41 @@ impl<'a, S> Grid<'a, S> {
     }
 }
 
+/// Number of bytes that go to a writer at once.
+const CHUNK: usize = 4096;
+
+/// Writes numbers of `N` bytes each. They go to the writer many at a time: a call for each takes
+/// longer than all else.
+///
+/// # Errors
+/// Fails as `out` does.
+pub fn write_numbers<const N: usize>(
+    mut numbers: impl Iterator<Item = [u8; N]>,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let mut chunk = [0; CHUNK];
+    let mut used = 0;
+    numbers.try_for_each(|number| {
+        if used + N > CHUNK {
+            out.write_all(&chunk[..used])?;
+            used = 0;
+        }
+        chunk[used..used + N].copy_from_slice(&number);
+        used += N;
+        io::Result::Ok(())
+    })?;
+    out.write_all(&chunk[..used])
+}
+
 /// Writes points with three coordinates, which those of VTK have always: the third is 0 in the
 /// plane.
 ///
 /// # Errors
 /// Fails as `out` does.
 pub fn write_points(points: &[f64], dim: usize, out: &mut dyn Write) -> io::Result<()> {
-    for point in points.chunks_exact(dim) {
-        for axis in 0..3 {
-            out.write_all(&point.get(axis).unwrap_or(&0.0).to_le_bytes())?;
-        }
-    }
-    Ok(())
+    let coordinate = |point: &[f64], axis| point.get(axis).copied().unwrap_or(0.0);
+    let in_space = |point| [0, 1, 2].map(|axis| f64::to_le_bytes(coordinate(point, axis)));
+    write_numbers(points.chunks_exact(dim).flat_map(in_space), out)
 }
 
 /// Writes the type of `cells` simplices: triangles or tetrahedra.
@@ -209,5 +230,5 @@ pub fn write_types(dim: usize, cells: usize, out: &mut dyn Write) -> io::Result<
     const TRIANGLE: u8 = 5;
     const TETRA: u8 = 10;
     let cell_type = if dim == 2 { TRIANGLE } else { TETRA };
-    (0..cells).try_for_each(|_| out.write_all(&[cell_type]))
+    write_numbers((0..cells).map(|_| [cell_type]), out)
 }

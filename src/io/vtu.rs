@@ -1,7 +1,9 @@
 //! VTK's XML unstructured grid, with the arrays as appended raw binary: small, and exact.
 
 use super::measures::Measures;
-use super::vtk::{DataArray, Grid, Numbers, Scalar, Section, write_points, write_types};
+use super::vtk::{
+    DataArray, Grid, Numbers, Scalar, Section, write_numbers, write_points, write_types,
+};
 use super::{Markers, allocation_failed};
 use crate::arrays::domains::domain_of;
 use crate::memory::{AllocResult, TryGrow, collected, with_capacity};
@@ -103,36 +105,34 @@ fn add_data<'a>(mesh: &Triangulation, arrays: &mut Vec<Array<'a>>) -> AllocResul
         |name, scalar, write: WriteNumbers<'a>| array(Section::Cell, name, scalar, cells, write);
     for array in [
         of_points("kind", Scalar::UInt8, |source, out| {
-            source.mesh.kinds.iter().try_for_each(|kind| out.write_all(&[*kind as u8]))
+            write_numbers(source.mesh.kinds.iter().map(|kind| [*kind as u8]), out)
         }),
         of_points("domain", Scalar::UInt32, |source, out| {
-            let mut domains = source.mesh.vertex_domains.iter();
-            domains.try_for_each(|domain| out.write_all(&domain.to_le_bytes()))
+            write_numbers(source.mesh.vertex_domains.iter().map(|id| id.to_le_bytes()), out)
         }),
         of_points("input", Scalar::UInt32, |source, out| {
             let first = |vertex| source.inputs.first_input(vertex).unwrap_or(NONE);
             let vertices = 0..source.mesh.vertex_count();
-            vertices.map(first).try_for_each(|input| out.write_all(&input.to_le_bytes()))
+            write_numbers(vertices.map(first).map(u32::to_le_bytes), out)
         }),
         of_points("precision_limited", Scalar::UInt8, |source, out| {
-            let mut limited = source.mesh.precision_limited.iter();
-            limited.try_for_each(|limited| out.write_all(&[u8::from(*limited)]))
+            let limited = source.mesh.precision_limited.iter();
+            write_numbers(limited.map(|limited| [u8::from(*limited)]), out)
         }),
         of_points("aspect", Scalar::Float64, |source, out| {
-            source.measures.aspect.iter().try_for_each(|x| out.write_all(&x.to_le_bytes()))
+            write_numbers(source.measures.aspect.iter().map(|x| x.to_le_bytes()), out)
         }),
         // Not `domain`: viewers list the arrays of points and cells together.
         of_cells("cell_domain", Scalar::UInt32, |source, out| {
             let simplices = source.mesh.simplices.chunks_exact(source.mesh.dim + 1);
             let triangles = source.mesh.boundary.subfacets.iter().map(<[u32; 3]>::as_slice);
-            simplices
-                .chain(triangles)
-                .try_for_each(|cell| out.write_all(&domain_of(source.mesh, cell).to_le_bytes()))
+            let domain = |cell| domain_of(source.mesh, cell).to_le_bytes();
+            write_numbers(simplices.chain(triangles).map(domain), out)
         }),
         of_cells("radius_edge", Scalar::Float64, |source, out| {
             let triangles = source.mesh.boundary.subfacets.iter().map(|_| &f64::NAN);
-            let mut values = source.measures.radius_edge.iter().chain(triangles);
-            values.try_for_each(|x| out.write_all(&x.to_le_bytes()))
+            let values = source.measures.radius_edge.iter().chain(triangles);
+            write_numbers(values.map(|x| x.to_le_bytes()), out)
         }),
         of_cells("below_min_dihedral", Scalar::UInt8, |source, out| {
             write_marks(&source.mesh.below_min_dihedral, cell_count(source.mesh), out)
@@ -143,21 +143,21 @@ fn add_data<'a>(mesh: &Triangulation, arrays: &mut Vec<Array<'a>>) -> AllocResul
     if !mesh.boundary.simplex_regions.is_empty() {
         arrays.try_push(of_cells("region", Scalar::Int32, |source, out| {
             let triangles = source.mesh.boundary.subfacets.iter().map(|_| &0);
-            let mut labels = source.mesh.boundary.simplex_regions.iter().chain(triangles);
-            labels.try_for_each(|label| out.write_all(&label.to_le_bytes()))
+            let labels = source.mesh.boundary.simplex_regions.iter().chain(triangles);
+            write_numbers(labels.map(|label| label.to_le_bytes()), out)
         }))?;
     }
     if !mesh.boundary.subfacets.is_empty() {
         arrays.try_push(of_cells("marker", Scalar::Int32, |source, out| {
             let simplices = (0..source.mesh.simplex_count()).map(|_| 0);
             let marked = source.mesh.boundary.marked_facets(source.markers.facets);
-            let mut markers = simplices.chain(marked.map(|(_, marker)| marker));
-            markers.try_for_each(|marker: i32| out.write_all(&marker.to_le_bytes()))
+            let markers = simplices.chain(marked.map(|(_, marker)| marker));
+            write_numbers(markers.map(i32::to_le_bytes), out)
         }))?;
         arrays.try_push(of_cells("facet", Scalar::UInt32, |source, out| {
             let simplices = (0..source.mesh.simplex_count()).map(|_| &NONE);
-            let mut facets = simplices.chain(&source.mesh.boundary.subfacet_parents);
-            facets.try_for_each(|facet| out.write_all(&facet.to_le_bytes()))
+            let facets = simplices.chain(&source.mesh.boundary.subfacet_parents);
+            write_numbers(facets.map(|facet| facet.to_le_bytes()), out)
         }))?;
         arrays.try_push(of_cells("flat", Scalar::UInt8, |source, out| {
             write_marks(&source.mesh.boundary.flat, cell_count(source.mesh), out)
@@ -190,15 +190,15 @@ fn add_cells<'a>(mesh: &Triangulation, arrays: &mut Vec<Array<'a>>) -> AllocResu
     let ends = mesh.simplices.len() + 3 * mesh.boundary.subfacets.len();
     arrays.try_push(of_cells("connectivity", Scalar::Int64, ends, |source, out| {
         let triangles = source.mesh.boundary.subfacets.as_flattened();
-        let mut ids = source.mesh.simplices.iter().chain(triangles);
-        ids.try_for_each(|v| out.write_all(&i64::from(*v).to_le_bytes()))
+        let ids = source.mesh.simplices.iter().chain(triangles);
+        write_numbers(ids.map(|v| i64::from(*v).to_le_bytes()), out)
     }))?;
     arrays.try_push(of_cells("offsets", Scalar::Int64, cells, |source, out| {
         let (size, simplices) = (source.mesh.dim as i64 + 1, source.mesh.simplex_count() as i64);
         let triangles = source.mesh.boundary.subfacets.len() as i64;
         let triangles = (1..=triangles).map(|cell| simplices * size + 3 * cell);
-        let mut offsets = (1..=simplices).map(|cell| cell * size).chain(triangles);
-        offsets.try_for_each(|offset| out.write_all(&offset.to_le_bytes()))
+        let offsets = (1..=simplices).map(|cell| cell * size).chain(triangles);
+        write_numbers(offsets.map(i64::to_le_bytes), out)
     }))?;
     arrays.try_push(of_cells("types", Scalar::UInt8, cells, |source, out| {
         write_types(source.mesh.dim, source.mesh.simplex_count(), out)?;
@@ -208,22 +208,20 @@ fn add_cells<'a>(mesh: &Triangulation, arrays: &mut Vec<Array<'a>>) -> AllocResu
 
 /// Writes the two points of each edge that segments have become.
 fn write_segments(source: &Source<'_>, out: &mut dyn Write) -> io::Result<()> {
-    let mut ends = source.mesh.boundary.subsegments.as_flattened().iter();
-    ends.try_for_each(|end| out.write_all(&end.to_le_bytes()))
+    let ends = source.mesh.boundary.subsegments.as_flattened().iter();
+    write_numbers(ends.map(|end| end.to_le_bytes()), out)
 }
 
 fn write_markers(source: &Source<'_>, out: &mut dyn Write) -> io::Result<()> {
-    let mut marked = source.mesh.boundary.marked(source.markers.segments);
-    marked.try_for_each(|(_, marker)| out.write_all(&marker.to_le_bytes()))
+    let marked = source.mesh.boundary.marked(source.markers.segments);
+    write_numbers(marked.map(|(_, marker)| marker.to_le_bytes()), out)
 }
 
 /// Writes 1 for each of `count` things that is among the `marked`, which rise, else 0.
 fn write_marks(marked: &[u32], count: usize, out: &mut dyn Write) -> io::Result<()> {
     let mut marked = marked.iter().peekable();
-    (0..count as u32).try_for_each(|id| {
-        let is_marked = marked.next_if_eq(&&id).is_some();
-        out.write_all(&[u8::from(is_marked)])
-    })
+    let mark = |id| [u8::from(marked.next_if_eq(&&id).is_some())];
+    write_numbers((0..count as u32).map(mark), out)
 }
 
 #[cfg(test)]

@@ -1,34 +1,43 @@
 //! Angles of simplices: the dihedral angles at the ridges, which in 2D are the angles.
 
-use super::corner::normals;
-use super::view::View;
+use super::simplex::{Normals, Simplex};
 use crate::memory::AllocResult;
 use crate::mesh::MAX_DIM;
 
 /// Returns the squared tangent of half the smallest dihedral angle of the simplex `points`, which
 /// grows with the angle. It is 0 for a flat simplex; [`angle`] is the inverse.
 pub(crate) fn smallest_squared_tangent<const D: usize>(points: &[&[f64; D]]) -> AllocResult<f64> {
+    Simplex::new(points).smallest_squared_tangent()
+}
+
+/// Returns the same of a simplex with these normals of facets, or of a flat one without.
+#[inline]
+pub(super) fn smallest_squared_tangent_of<const D: usize>(normals: Option<Normals<D>>) -> f64 {
     let mut smallest = f64::INFINITY;
-    for_each_squared_tangent(points, |tangent| smallest = smallest.min(tangent))?;
-    Ok(smallest)
+    visit_squared_tangents(normals, |tangent| smallest = smallest.min(tangent));
+    smallest
 }
 
 /// Visits the angle of each pair of facets of the simplex `points`, as the square of the tangent of
 /// its half; all are 0 if the simplex is flat.
 pub(crate) fn for_each_squared_tangent<const D: usize>(
     points: &[&[f64; D]],
-    mut visit: impl FnMut(f64),
+    visit: impl FnMut(f64),
 ) -> AllocResult<()> {
-    let units = normals(points)?.map(|normals| normals.map(unit));
-    let count = View::<D>::VERTICES;
-    for i in 0..count {
-        for j in i + 1..count {
-            let tangent =
-                |units: &[[f64; D]; MAX_DIM + 1]| squared_tangent_inside(&units[i], &units[j]);
-            visit(units.as_ref().map_or(0.0, tangent));
+    visit_squared_tangents(Simplex::new(points).normals()?, visit);
+    Ok(())
+}
+
+#[inline]
+fn visit_squared_tangents<const D: usize>(normals: Option<Normals<D>>, mut visit: impl FnMut(f64)) {
+    let mut units = normals.unwrap_or([[0.0; D]; MAX_DIM + 1]);
+    units[..=D].iter_mut().for_each(|normal| *normal = unit(*normal));
+    for i in 0..=D {
+        for j in i + 1..=D {
+            let is_flat = normals.is_none();
+            visit(if is_flat { 0.0 } else { squared_tangent_inside(&units[i], &units[j]) });
         }
     }
-    Ok(())
 }
 
 /// Returns the angle in radians whose half has a tangent with this square.
@@ -37,15 +46,20 @@ pub(crate) fn angle(squared_tangent: f64) -> f64 {
 }
 
 fn unit<const D: usize>(vector: [f64; D]) -> [f64; D] {
-    let norm = vector.iter().map(|x| x * x).sum::<f64>().sqrt();
-    vector.map(|x| x / norm)
+    let factor = 1.0 / vector.iter().map(|x| x * x).sum::<f64>().sqrt();
+    vector.map(|x| x * factor)
 }
 
 /// Returns the squared tangent of half the angle between two facets with these inward unit normals.
 /// The angle is pi minus that of the normals, and the tangent is accurate at both ends.
 fn squared_tangent_inside<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
-    let square = |sign: f64| a.iter().zip(b).map(|(x, y)| (x + sign * y).powi(2)).sum::<f64>();
-    square(1.0) / square(-1.0)
+    let (mut of_sum, mut of_difference) = (0.0, 0.0);
+    for axis in 0..D {
+        let (sum, difference) = (a[axis] + b[axis], a[axis] - b[axis]);
+        of_sum += sum * sum;
+        of_difference += difference * difference;
+    }
+    of_sum / of_difference
 }
 
 #[cfg(test)]

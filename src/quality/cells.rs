@@ -1,40 +1,93 @@
 //! Voronoi cells of vertices and of cages (§3, §4): in-radii, and out-radii restricted to the
-//! corners that count for a cell. One pass over the simplices; shared by the measures and the
-//! certificate.
+//! corners that count for a cell. One pass over the simplices, which threads share; shared by the
+//! measures and the certificate.
 
 use super::corner::Corner;
 use super::length::Length;
+use super::simplex::Simplex;
 use super::tree::DomainTree;
 use super::view::View;
-use crate::memory::{AllocResult, collected, filled};
-use crate::mesh::NONE;
+use crate::memory::{AllocResult, collected, filled, with_capacity};
+use crate::mesh::{MAX_DIM, NONE};
 use crate::parameters::Parameters;
+use crate::threads::{share, usable};
+use std::ops::Range;
 
 /// Largest number of domains that the walks up the hierarchy may visit per simplex on average.
 /// Cages that are not encroached let no D-ball span more than a few.
 const CLIMBS_PER_SIMPLEX: usize = 64;
 
+/// Number of simplices that a thread takes at once.
+pub(crate) const PIECE: usize = 1 << 14;
+
+/// Largest number of threads of a survey: each has radii of all cells.
+const MOST_THREADS: usize = 8;
+
+/// Radii of the cell of a vertex.
+#[derive(Clone, Copy)]
+struct Cell {
+    /// Distance to the nearest Delaunay neighbour: twice the in-radius.
+    nearest: Length,
+    /// Out-radius over the corners that count in the vertex's domain.
+    farthest: Length,
+    /// Out-radius over all corners.
+    farthest_anywhere: Length,
+    /// Number of simplices at the vertex.
+    simplices: u32,
+}
+
+impl Cell {
+    const EMPTY: Self = Self {
+        nearest: Length::INFINITE,
+        farthest: Length::ZERO,
+        farthest_anywhere: Length::ZERO,
+        simplices: 0,
+    };
+
+    fn merge(&mut self, other: &Self) {
+        self.nearest = self.nearest.min(other.nearest);
+        self.farthest = self.farthest.max(other.farthest);
+        self.farthest_anywhere = self.farthest_anywhere.max(other.farthest_anywhere);
+        self.simplices += other.simplices;
+    }
+}
+
+/// Radii of the union cell of a cage.
+#[derive(Clone, Copy)]
+struct Cage {
+    /// Distance of the domain's centre to the nearest vertex outside its ball.
+    nearest: Length,
+    /// Out-radius over the corners that count in the parent.
+    farthest: Length,
+    /// Out-radius over all corners.
+    farthest_anywhere: Length,
+}
+
+impl Cage {
+    const EMPTY: Self =
+        Self { nearest: Length::INFINITE, farthest: Length::ZERO, farthest_anywhere: Length::ZERO };
+
+    fn merge(&mut self, other: &Self) {
+        self.nearest = self.nearest.min(other.nearest);
+        self.farthest = self.farthest.max(other.farthest);
+        self.farthest_anywhere = self.farthest_anywhere.max(other.farthest_anywhere);
+    }
+}
+
 /// Radii of the cells of all vertices and cages.
 pub(crate) struct Cells {
-    /// Vertex -> distance to its nearest Delaunay neighbour: twice the in-radius.
-    pub nearest: Vec<Length>,
-    /// Vertex -> out-radius over the corners that count in the vertex's domain.
-    pub farthest: Vec<Length>,
-    /// Vertex -> out-radius over all corners.
-    pub farthest_anywhere: Vec<Length>,
-    /// Domain -> distance of its centre to the nearest vertex outside its ball.
-    pub cage_nearest: Vec<Length>,
-    /// Domain -> out-radius of the union cell, over the corners that count in the parent.
-    pub cage_farthest: Vec<Length>,
-    /// Domain -> the same over all corners.
-    pub cage_farthest_anywhere: Vec<Length>,
+    cells: Vec<Cell>,
+    cages: Vec<Cage>,
+    /// Number of domains that walks up the hierarchy have visited.
+    climbs: usize,
     /// False if simplices span absurdly many domains, and the cage radii were given up.
     pub cages_complete: bool,
 }
 
 /// Measures of one simplex, which [`Cells::survey`] passes to its caller.
-pub(crate) struct SimplexCell {
+pub(crate) struct SimplexCell<'a, const D: usize> {
     pub simplex: usize,
+    pub shape: &'a Simplex<'a, D>,
     /// Circumradius over shortest edge; infinite for a flat simplex.
     pub radius_edge: f64,
     /// True if the circumcentre counts in the domain of each of the vertices.
@@ -43,100 +96,166 @@ pub(crate) struct SimplexCell {
     pub domain: u32,
 }
 
+/// Returns the pieces that a survey of so many simplices is divided into.
+pub(crate) fn pieces(simplices: usize) -> impl ExactSizeIterator<Item = Range<usize>> {
+    (0..simplices.div_ceil(PIECE))
+        .map(move |piece| piece * PIECE..simplices.min((piece + 1) * PIECE))
+}
+
 impl Cells {
-    /// Surveys a mesh whose ids are in range. Without a `tree` every corner counts. `slack` (about
-    /// 1) multiplies the radius within which corners count. O(simplices) for a hierarchical mesh.
-    pub fn survey<const D: usize>(
+    /// Surveys a mesh whose ids are in range, on the threads that its run was allowed. Without a
+    /// `tree` every corner counts. `slack` (about 1) multiplies the radius within which corners
+    /// count. `visit` sees every simplex, with the state of its piece: there is one for each of
+    /// the [`pieces`]. O(simplices) for a hierarchical mesh.
+    pub fn survey<const D: usize, S: Send>(
         view: View<'_, D>,
         tree: Option<&DomainTree>,
         slack: f64,
-        mut visit: impl FnMut(&SimplexCell) -> AllocResult<()>,
+        states: &mut [S],
+        visit: impl Fn(&mut S, &SimplexCell<'_, D>) -> AllocResult<()> + Sync,
     ) -> AllocResult<Self> {
-        let mut cells = Self::empty(view.vertex_count(), view.mesh.domains.len())?;
         let limits = limits(view, slack)?;
-        let mut climbs = view.simplex_count().saturating_mul(CLIMBS_PER_SIMPLEX);
-        for simplex in 0..view.simplex_count() {
-            let vertices = view.simplex(simplex);
-            let points = &view.points_of(vertices)[..View::<D>::VERTICES];
-            let star =
-                Labelled { view, vertices, points, corner: Corner::new(points)?, limits: &limits };
-            let counts = cells.add_vertices(&star, tree.is_some());
-            if let Some(tree) = tree {
-                cells.add_cages(&star, tree, &mut climbs);
-            }
-            let ratio = |corner: &Corner<D>| corner.radius.ratio(corner.shortest_edge);
-            let radius_edge = star.corner.as_ref().map_or(f64::INFINITY, ratio);
-            visit(&SimplexCell { simplex, radius_edge, counts, domain: star.common_label() })?;
+        let most_climbs = view.simplex_count().saturating_mul(CLIMBS_PER_SIMPLEX);
+        let threads = usable(view.mesh.parameters.threads).min(states.len()).min(MOST_THREADS);
+        let empty = || Self::empty(view.vertex_count(), view.mesh.domains.len());
+        let mut parts = with_capacity(threads.max(1))?;
+        parts.push(empty()?);
+        for _ in 1..threads {
+            parts.push(empty()?);
         }
-        Ok(cells)
+        let work = pieces(view.simplex_count()).zip(states);
+        share(work, &mut parts, |cells, (mut piece, state)| {
+            piece.try_for_each(|simplex| {
+                cells.enter(view, simplex, tree, &limits, most_climbs, |cell| visit(state, cell))
+            })
+        })?;
+        let mut whole = parts.swap_remove(0);
+        parts.iter().for_each(|part| whole.merge(part));
+        if whole.climbs > most_climbs {
+            whole.cages.fill(Cage::EMPTY);
+            whole.cages_complete = false;
+        }
+        Ok(whole)
+    }
+
+    /// Surveys a mesh as [`Self::survey`] does, without a look at its simplices.
+    pub fn of<const D: usize>(view: View<'_, D>, tree: Option<&DomainTree>) -> AllocResult<Self> {
+        let mut states = filled(pieces(view.simplex_count()).len(), ())?;
+        Self::survey(view, tree, 1.0, &mut states, |_, _| Ok(()))
+    }
+
+    #[inline]
+    fn enter<const D: usize>(
+        &mut self,
+        view: View<'_, D>,
+        simplex: usize,
+        tree: Option<&DomainTree>,
+        limits: &[Length],
+        most_climbs: usize,
+        visit: impl FnOnce(&SimplexCell<'_, D>) -> AllocResult<()>,
+    ) -> AllocResult<()> {
+        let vertices = view.simplex(simplex);
+        let points = &view.points_of(vertices)[..View::<D>::VERTICES];
+        let shape = Simplex::new(points);
+        let mut labels = [NONE; MAX_DIM + 1];
+        for (label, &vertex) in labels.iter_mut().zip(vertices) {
+            *label = view.mesh.vertex_domains[vertex as usize];
+        }
+        let labels = &labels[..View::<D>::VERTICES];
+        let corner = shape.corner()?;
+        let star = Labelled { view, vertices, labels, points, corner, limits };
+        let counts = self.add_vertices(&star, shape.nearest(), tree.is_some());
+        let is_of_one = labels.iter().all(|label| *label == labels[0]);
+        if let Some(tree) = tree.filter(|_| !is_of_one) {
+            self.add_cages(&star, tree, most_climbs);
+        }
+        let ratio = |corner: &Corner<D>| corner.radius.ratio(corner.shortest_edge);
+        let radius_edge = star.corner.as_ref().map_or(f64::INFINITY, ratio);
+        let domain = if is_of_one { labels[0] } else { NONE };
+        visit(&SimplexCell { simplex, shape: &shape, radius_edge, counts, domain })
+    }
+
+    /// Takes the radii of other simplices into account.
+    fn merge(&mut self, other: &Self) {
+        self.cells.iter_mut().zip(&other.cells).for_each(|(cell, other)| cell.merge(other));
+        self.cages.iter_mut().zip(&other.cages).for_each(|(cage, other)| cage.merge(other));
+        self.climbs = self.climbs.saturating_add(other.climbs);
+    }
+
+    /// Returns the number of simplices at a vertex.
+    pub fn simplices_at(&self, vertex: usize) -> usize {
+        self.cells[vertex].simplices as usize
     }
 
     /// Returns true if a simplex has `vertex`: in a part of a mesh some vertices have none.
     pub fn has_cell(&self, vertex: usize) -> bool {
-        self.nearest[vertex] != Length::INFINITE
+        self.cells[vertex].nearest != Length::INFINITE
+    }
+
+    /// Returns the distance of a domain's centre to the nearest vertex outside its ball.
+    pub fn cage_nearest(&self, domain: usize) -> Length {
+        self.cages[domain].nearest
     }
 
     /// Returns true if a simplex has vertices inside and outside of the ball of `domain`.
     pub fn has_cage(&self, domain: usize) -> bool {
-        self.cage_nearest[domain] != Length::INFINITE
+        self.cages[domain].nearest != Length::INFINITE
     }
 
     /// Returns the out-radius over the in-radius of the cell of `vertex`, over the corners that
     /// count.
     pub fn aspect(&self, vertex: usize) -> f64 {
-        2.0 * self.farthest[vertex].ratio(self.nearest[vertex])
+        2.0 * self.cells[vertex].farthest.ratio(self.cells[vertex].nearest)
     }
 
     /// Returns the out-radius over the in-radius of the cell of `vertex`, over all of its corners.
     pub fn aspect_anywhere(&self, vertex: usize) -> f64 {
-        2.0 * self.farthest_anywhere[vertex].ratio(self.nearest[vertex])
+        2.0 * self.cells[vertex].farthest_anywhere.ratio(self.cells[vertex].nearest)
     }
 
     /// Returns the aspect of the union cell of the cage of a `domain` of this `radius`, over the
     /// corners that count. Its in-radius is (d + r) / 2 (§5, approximation by cages).
     pub fn cage_aspect(&self, domain: usize, radius: f64) -> f64 {
-        let twice_inner = self.cage_nearest[domain].plus(Length::new(radius));
-        2.0 * self.cage_farthest[domain].ratio(twice_inner)
+        let twice_inner = self.cages[domain].nearest.plus(Length::new(radius));
+        2.0 * self.cages[domain].farthest.ratio(twice_inner)
     }
 
     /// Returns the aspect of the union cell of the cage of a `domain` of this `radius`, over all of
     /// its corners.
     pub fn cage_aspect_anywhere(&self, domain: usize, radius: f64) -> f64 {
-        let twice_inner = self.cage_nearest[domain].plus(Length::new(radius));
-        2.0 * self.cage_farthest_anywhere[domain].ratio(twice_inner)
+        let twice_inner = self.cages[domain].nearest.plus(Length::new(radius));
+        2.0 * self.cages[domain].farthest_anywhere.ratio(twice_inner)
     }
 
     fn empty(vertices: usize, domains: usize) -> AllocResult<Self> {
         Ok(Self {
-            nearest: filled(vertices, Length::INFINITE)?,
-            farthest: filled(vertices, Length::ZERO)?,
-            farthest_anywhere: filled(vertices, Length::ZERO)?,
-            cage_nearest: filled(domains, Length::INFINITE)?,
-            cage_farthest: filled(domains, Length::ZERO)?,
-            cage_farthest_anywhere: filled(domains, Length::ZERO)?,
+            cells: filled(vertices, Cell::EMPTY)?,
+            cages: filled(domains, Cage::EMPTY)?,
+            climbs: 0,
             cages_complete: true,
         })
     }
 
-    /// Enters one simplex into the cells of its vertices; returns whether its corner counts in all.
-    fn add_vertices<const D: usize>(&mut self, star: &Labelled<'_, D>, restricted: bool) -> bool {
+    /// Enters one simplex into the cells of its vertices, given the distance of each to the nearest
+    /// other one; returns whether its corner counts in all.
+    #[inline]
+    fn add_vertices<const D: usize>(
+        &mut self,
+        star: &Labelled<'_, D>,
+        nearest: &[Length],
+        restricted: bool,
+    ) -> bool {
         let radius = star.corner.as_ref().map_or(Length::INFINITE, |corner| corner.radius);
         let (mut last, mut last_counts, mut all_count) = (NONE, true, true);
-        for (i, &v) in star.vertices.iter().enumerate() {
-            for (j, &w) in star.vertices.iter().enumerate().skip(i + 1) {
-                let length = Length::between(star.points[i], star.points[j]);
-                self.nearest[v as usize] = self.nearest[v as usize].min(length);
-                self.nearest[w as usize] = self.nearest[w as usize].min(length);
-            }
-            let label = star.label(v);
+        for (i, (&v, &label)) in star.vertices.iter().zip(star.labels).enumerate() {
             if restricted && label != last {
                 (last, last_counts) = (label, star.counts_in(label));
             }
             all_count &= last_counts;
-            self.farthest_anywhere[v as usize] = self.farthest_anywhere[v as usize].max(radius);
-            if last_counts {
-                self.farthest[v as usize] = self.farthest[v as usize].max(radius);
-            }
+            let farthest = if last_counts { radius } else { Length::ZERO };
+            let entry =
+                Cell { nearest: nearest[i], farthest, farthest_anywhere: radius, simplices: 1 };
+            self.cells[v as usize].merge(&entry);
         }
         all_count
     }
@@ -149,19 +268,18 @@ impl Cells {
         &mut self,
         star: &Labelled<'_, D>,
         tree: &DomainTree,
-        climbs: &mut usize,
+        most_climbs: usize,
     ) {
-        for (i, &v) in star.vertices.iter().enumerate() {
-            let mut domain = star.label(v);
-            if star.vertices[..i].iter().any(|&w| star.label(w) == domain) {
+        for (i, &label) in star.labels.iter().enumerate() {
+            let mut domain = label;
+            if star.labels[..i].contains(&domain) {
                 continue;
             }
-            while star.vertices.iter().any(|&w| !tree.holds(domain, star.label(w))) {
-                if *climbs == 0 {
-                    self.cages_complete = false;
+            while star.labels.iter().any(|&label| !tree.holds(domain, label)) {
+                if self.climbs > most_climbs {
                     return;
                 }
-                *climbs -= 1;
+                self.climbs += 1;
                 self.add_cage(star, tree, domain);
                 domain = tree.parent(domain);
             }
@@ -169,19 +287,18 @@ impl Cells {
     }
 
     fn add_cage<const D: usize>(&mut self, star: &Labelled<'_, D>, tree: &DomainTree, domain: u32) {
-        let index = domain as usize;
-        let center = star.view.point(star.view.mesh.domains[index].center);
-        for (point, &w) in star.points.iter().zip(star.vertices) {
-            if !tree.holds(domain, star.label(w)) {
-                let distance = Length::between(point, center);
-                self.cage_nearest[index] = self.cage_nearest[index].min(distance);
+        let cage = &mut self.cages[domain as usize];
+        let center = star.view.point(star.view.mesh.domains[domain as usize].center);
+        for (point, &label) in star.points.iter().zip(star.labels) {
+            if !tree.holds(domain, label) {
+                cage.nearest = cage.nearest.min(Length::between(point, center));
             }
         }
         let corner = star.corner.as_ref();
         let reach = corner.map_or(Length::INFINITE, |c| c.distance(star.points, center));
-        self.cage_farthest_anywhere[index] = self.cage_farthest_anywhere[index].max(reach);
+        cage.farthest_anywhere = cage.farthest_anywhere.max(reach);
         if star.counts_in(tree.parent(domain)) {
-            self.cage_farthest[index] = self.cage_farthest[index].max(reach);
+            cage.farthest = cage.farthest.max(reach);
         }
     }
 }
@@ -190,21 +307,13 @@ impl Cells {
 struct Labelled<'a, const D: usize> {
     view: View<'a, D>,
     vertices: &'a [u32],
+    labels: &'a [u32],
     points: &'a [&'a [f64; D]],
     corner: Option<Corner<D>>,
     limits: &'a [Length],
 }
 
 impl<const D: usize> Labelled<'_, D> {
-    fn label(&self, vertex: u32) -> u32 {
-        self.view.mesh.vertex_domains[vertex as usize]
-    }
-
-    fn common_label(&self) -> u32 {
-        let label = self.label(self.vertices[0]);
-        if self.vertices.iter().all(|&v| self.label(v) == label) { label } else { NONE }
-    }
-
     /// Returns true if the Voronoi corner counts for cells of `domain`. The corner of a flat
     /// simplex always counts.
     fn counts_in(&self, domain: u32) -> bool {

@@ -3,6 +3,7 @@
 
 use super::length::{Length, Offset, scale};
 use super::rational::{self, Gradients};
+use super::simplex::{Normals, Simplex};
 use crate::memory::AllocResult;
 use crate::mesh::MAX_DIM;
 
@@ -22,31 +23,22 @@ impl<const D: usize> Corner<D> {
     /// Computes the corner of the simplex `points` (`D + 1` of them), with a relative error of at
     /// most about 1e-10; `None` if the simplex is flat.
     pub fn new(points: &[&[f64; D]]) -> AllocResult<Option<Self>> {
-        let (base, shortest_edge) = shortest_edge(points);
-        let center = circumcenter(points, base)?;
-        Ok(center.map(|center| Self { base, center, radius: center.length(), shortest_edge }))
+        Simplex::new(points).corner()
     }
 
     /// Returns the distance of the corner from `point`; `points` are those given to
     /// [`Corner::new`].
     pub fn distance(&self, points: &[&[f64; D]], point: &[f64; D]) -> Length {
-        Offset::between(points[self.base], point).plus(&self.center).length()
-    }
-}
-
-/// Returns the index of the first vertex of the shortest edge, from which the edges are best
-/// conditioned, and the length of that edge.
-fn shortest_edge<const D: usize>(points: &[&[f64; D]]) -> (usize, Length) {
-    let mut best = (0, Length::INFINITE);
-    for (i, p) in points.iter().enumerate() {
-        for q in &points[i + 1..] {
-            let length = Length::between(p, q);
-            if length < best.1 {
-                best = (i, length);
+        let base = points[self.base];
+        if self.center.exponent == 0 {
+            let across = |axis: usize| base[axis] - point[axis] + self.center.vector[axis];
+            let squared = (0..D).map(|axis| across(axis) * across(axis)).sum::<f64>();
+            if Length::SQUARES.contains(&squared) {
+                return Length::new(squared.sqrt());
             }
         }
+        Offset::between(base, point).plus(&self.center).length()
     }
-    best
 }
 
 /// Returns the edges from `base` to the other vertices, in their order.
@@ -54,7 +46,8 @@ fn edges<const D: usize>(points: &[&[f64; D]], base: usize) -> [Offset<D>; D] {
     std::array::from_fn(|k| Offset::between(points[k + usize::from(k >= base)], points[base]))
 }
 
-fn circumcenter<const D: usize>(
+/// Returns the circumcentre relative to the point at `base`; `None` if the simplex is flat.
+pub(super) fn circumcenter<const D: usize>(
     points: &[&[f64; D]],
     base: usize,
 ) -> AllocResult<Option<Offset<D>>> {
@@ -71,10 +64,10 @@ fn circumcenter<const D: usize>(
 
 /// Returns the inward normals of the `D + 1` facets, the i-th opposite vertex i, each of magnitude
 /// about one; `None` if the simplex is flat.
-pub(crate) fn normals<const D: usize>(
+pub(super) fn normals<const D: usize>(
     points: &[&[f64; D]],
-) -> AllocResult<Option<[[f64; D]; MAX_DIM + 1]>> {
-    let (base, _) = shortest_edge(points);
+    base: usize,
+) -> AllocResult<Option<Normals<D>>> {
     let Some(gradients) = gradients(points, base)? else {
         return Ok(None);
     };
@@ -193,7 +186,7 @@ mod tests {
     fn flat_simplices_have_no_corner() {
         let flat: [&[f64; 2]; 3] = [&[0.0, 0.0], &[1.0, 1.0], &[3.0, 3.0]];
         assert!(Corner::new(&flat).unwrap().is_none());
-        assert!(normals(&flat).unwrap().is_none());
+        assert!(normals(&flat, 0).unwrap().is_none());
     }
 
     #[test]
@@ -210,7 +203,7 @@ mod tests {
     fn normals_point_inward_and_span_the_right_angles() {
         let points = [[0.0, 0.0, 0.0], [1e-200, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let points: Vec<&[f64; 3]> = points.iter().collect();
-        let normals = normals(&points).unwrap().unwrap();
+        let normals = normals(&points, 0).unwrap().unwrap();
         assert!(normals[1][0] > 0.0 && normals[1][1] == 0.0 && normals[1][2] == 0.0);
         assert!(normals[2][1] > 0.0 && normals[3][2] > 0.0);
         assert!(normals[0][0] < 0.0);

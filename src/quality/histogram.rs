@@ -134,7 +134,7 @@ fn count_aspects<const D: usize>(
 ) -> AllocResult<()> {
     let mesh = view.mesh;
     let tree = DomainTree::new(&mesh.domains)?;
-    let cells = Cells::survey(view, tree.as_ref(), 1.0, |_| Ok(()))?;
+    let cells = Cells::of(view, tree.as_ref())?;
     let cages = mesh.domains.iter().enumerate().skip(1).filter(|&(i, _)| cells.has_cage(i));
     for (i, domain) in cages {
         counter.add(cells.cage_aspect_anywhere(i, domain.radius));

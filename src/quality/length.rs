@@ -1,7 +1,7 @@
 //! Lengths and offsets with their own exponent: nothing here over- or underflows, whatever finite
 //! doubles come in. Shared by the measures and the certificate, and by nothing that builds.
 
-use std::cmp::Ordering;
+use std::ops::Range;
 
 /// Returns `2^exponent` for an exponent of a normal double.
 fn power_of_two(exponent: i32) -> f64 {
@@ -9,7 +9,15 @@ fn power_of_two(exponent: i32) -> f64 {
 }
 
 /// Returns `value * 2^exponent`, exact unless the result leaves the normal range.
+#[inline]
 pub(crate) fn scale(value: f64, exponent: i32) -> f64 {
+    match exponent {
+        -1000..=1000 => value * power_of_two(exponent),
+        _ => scale_far(value, exponent),
+    }
+}
+
+fn scale_far(value: f64, exponent: i32) -> f64 {
     let mut value = value;
     let mut exponent = exponent.clamp(-4200, 4200);
     while exponent > 1000 {
@@ -36,16 +44,27 @@ pub(crate) fn exponent_of(value: f64) -> Option<i32> {
     })
 }
 
-/// A length `mantissa * 2^exponent` with the mantissa in \[1, 2); zero and infinity are their own.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Length {
-    mantissa: f64,
-    exponent: i32,
-}
+/// A length `mantissa * 2^exponent` with the mantissa in \[1, 2): the bits of a double, with an
+/// exponent of 12 bits and no sign, so that lengths compare as integers do. Lengths below 2^-1500,
+/// which no distance of two points is, are zero, and those from 2^2594 on infinite, as their ratio
+/// to any such distance is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Length(u64);
+
+/// The exponent of a length's least biased exponent, less one.
+const LENGTH_BIAS: i32 = 1501;
+/// The biased exponent of an infinite length.
+const BEYOND: i32 = 0xfff;
+/// The bits of a double's mantissa.
+const FRACTION: u64 = (1 << 52) - 1;
+/// The bits of the length of one, less those of the double.
+const SHIFT: u64 = ((LENGTH_BIAS - 1023) as u64) << 52;
 
 impl Length {
-    pub const ZERO: Self = Self { mantissa: 0.0, exponent: i32::MIN };
-    pub const INFINITE: Self = Self { mantissa: f64::INFINITY, exponent: i32::MAX };
+    pub const ZERO: Self = Self(0);
+    pub const INFINITE: Self = Self((BEYOND as u64) << 52);
+    /// Squares of lengths whose components may be squared without harm.
+    pub(super) const SQUARES: Range<f64> = 1e-250..1e250;
 
     /// Makes the length `value * 2^exponent` for `value >= 0`. A value that is not a number counts
     /// as infinite.
@@ -53,20 +72,39 @@ impl Length {
         if value == 0.0 {
             return Self::ZERO;
         }
-        match exponent_of(value) {
-            Some(own) => Self { mantissa: scale(value, -own), exponent: own + exponent },
-            None => Self::INFINITE,
+        let Some(own) = exponent_of(value) else {
+            return Self::INFINITE;
+        };
+        match own.saturating_add(exponent).saturating_add(LENGTH_BIAS) {
+            ..=0 => Self::ZERO,
+            BEYOND.. => Self::INFINITE,
+            biased => Self((biased as u64) << 52 | scale(value, -own).to_bits() & FRACTION),
         }
     }
 
+    /// Makes the length `value`, which is not negative.
+    #[inline]
     pub fn new(value: f64) -> Self {
-        Self::scaled(value, 0)
+        match (f64::MIN_POSITIVE..f64::INFINITY).contains(&value) {
+            true => Self(value.to_bits() + SHIFT),
+            false => Self::scaled(value, 0),
+        }
+    }
+
+    /// Returns the mantissa of a length that is neither zero nor infinite.
+    fn mantissa(self) -> f64 {
+        f64::from_bits(self.0 & FRACTION | 1023 << 52)
+    }
+
+    /// Returns the exponent of a length that is neither zero nor infinite.
+    fn exponent(self) -> i32 {
+        (self.0 >> 52) as i32 - LENGTH_BIAS
     }
 
     /// Returns the distance of two points.
     pub fn between<const D: usize>(p: &[f64; D], q: &[f64; D]) -> Self {
         let squared: f64 = p.iter().zip(q).map(|(a, b)| (a - b) * (a - b)).sum();
-        if (1e-250..1e250).contains(&squared) {
+        if Self::SQUARES.contains(&squared) {
             return Self::new(squared.sqrt());
         }
         Offset::between(p, q).length()
@@ -76,7 +114,7 @@ impl Length {
         if self == Self::ZERO || self == Self::INFINITE {
             return self;
         }
-        Self::scaled(self.mantissa * factor, self.exponent)
+        Self::scaled(self.mantissa() * factor, self.exponent())
     }
 
     pub fn plus(self, other: Self) -> Self {
@@ -84,8 +122,8 @@ impl Length {
         if small == Self::ZERO || large == Self::INFINITE {
             return large;
         }
-        let aligned = scale(small.mantissa, small.exponent - large.exponent);
-        Self::scaled(large.mantissa + aligned, large.exponent)
+        let aligned = scale(small.mantissa(), small.exponent() - large.exponent());
+        Self::scaled(large.mantissa() + aligned, large.exponent())
     }
 
     /// Returns `self / other` as a double: 0 or infinity where it does not fit.
@@ -96,39 +134,22 @@ impl Length {
         if self == Self::INFINITE || other == Self::ZERO {
             return f64::INFINITY;
         }
-        scale(self.mantissa / other.mantissa, self.exponent.saturating_sub(other.exponent))
+        scale(self.mantissa() / other.mantissa(), self.exponent() - other.exponent())
     }
 
-    /// Returns the length as two words that [`Self::from_words`] reads, on any machine.
-    pub fn to_words(self) -> [u64; 2] {
-        [self.mantissa.to_bits(), i64::from(self.exponent) as u64]
+    /// Returns the length as a word that [`Self::from_word`] reads, on any machine.
+    pub fn to_word(self) -> u64 {
+        self.0
     }
 
-    /// Reads a length from words that [`Self::to_words`] made.
-    pub fn from_words([mantissa, exponent]: [u64; 2]) -> Self {
-        Self { mantissa: f64::from_bits(mantissa), exponent: exponent as i64 as i32 }
+    /// Reads a length from a word that [`Self::to_word`] made.
+    pub fn from_word(word: u64) -> Self {
+        Self(word.min(Self::INFINITE.0))
     }
 
     /// Returns the nearest double, for messages: 0 or infinity where the length does not fit.
     pub fn to_f64(self) -> f64 {
         self.ratio(Self::new(1.0))
-    }
-
-    pub fn min(self, other: Self) -> Self {
-        if other < self { other } else { self }
-    }
-
-    pub fn max(self, other: Self) -> Self {
-        if other > self { other } else { self }
-    }
-}
-
-impl PartialOrd for Length {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        match self.exponent.cmp(&other.exponent) {
-            Ordering::Equal => self.mantissa.partial_cmp(&other.mantissa),
-            unequal => Some(unequal),
-        }
     }
 }
 

@@ -9,6 +9,7 @@ pub(crate) mod exact;
 mod histogram;
 pub(crate) mod length;
 pub(crate) mod rational;
+pub(crate) mod simplex;
 pub(crate) mod slivers;
 pub(crate) mod tree;
 pub(crate) mod view;
@@ -17,7 +18,7 @@ use crate::error::Result;
 use crate::memory::{AllocResult, collected, copied, filled};
 use crate::mesh::{NONE, Triangulation, in_dimension};
 use crate::options::Extent;
-use cells::{Cells, SimplexCell};
+use cells::{Cells, SimplexCell, pieces};
 use tree::DomainTree;
 use view::View;
 
@@ -87,7 +88,7 @@ pub(crate) const SLACK: f64 = 1e-7;
 /// Measures `triangulation`. A triangulation whose arrays do not fit together, or whose ids are
 /// out of range, answers all zeros: [`crate::validate::validate`] says what is wrong with it.
 ///
-/// O(simplices) for a fixed dimension, plus sorting the edges.
+/// O(simplices) for a fixed dimension, on the threads that the run was allowed.
 ///
 /// # Errors
 /// `OutOfMemory`.
@@ -108,14 +109,17 @@ fn measure_in<const D: usize>(mesh: &Triangulation) -> AllocResult<Quality> {
     let on_hull = view.hull_vertices()?;
     let at_cage = vertices_at_cage::<D>(mesh, &on_hull)?;
     let tree = DomainTree::new(&mesh.domains)?;
+    let mut parts = filled(pieces(view.simplex_count()).len(), SimplexMeasures::default())?;
+    let cells = Cells::survey(view, tree.as_ref(), 1.0, &mut parts, |measures, cell| {
+        measures.add(view, cell, &at_cage)
+    })?;
     let mut simplices = SimplexMeasures::default();
-    let cells =
-        Cells::survey(view, tree.as_ref(), 1.0, |cell| simplices.add(view, cell, &at_cage))?;
+    parts.iter().for_each(|part| simplices.merge(part));
     let limited = (0..mesh.precision_limited.len())
         .filter(|&v| mesh.precision_limited[v] && cells.has_cell(v))
         .count();
     let mut quality = Quality {
-        max_degree: max_degree(view)?,
+        max_degree: max_degree(view, &cells, &on_hull)?,
         worst_cage_aspect: worst_cage_aspect(mesh, &cells)?,
         worst_radius_edge: simplices.radius_edge,
         min_angle_degrees: simplices.angle.degrees(),
@@ -124,32 +128,32 @@ fn measure_in<const D: usize>(mesh: &Triangulation) -> AllocResult<Quality> {
         forced: simplices.forced,
         least_forced_angle_degrees: simplices.forced_angle.degrees(),
         below_min_angle: simplices.below_min_angle,
+        below_min_dihedral: simplices.below_min_dihedral[1],
+        below_min_dihedral_between_domains: simplices.below_min_dihedral[0],
         flat: simplices.flat,
         ..Quality::default()
     };
     add_aspects(&mut quality, mesh, &cells, &on_hull);
-    slivers::survey(view, mesh.parameters.min_dihedral, |_, _, is_of_one_domain| {
-        match is_of_one_domain {
-            true => quality.below_min_dihedral += 1,
-            false => quality.below_min_dihedral_between_domains += 1,
-        }
-    })?;
     Ok(quality)
 }
 
 /// Figures over the simplices off the hull or of a cropped domain, less forced and flat ones; and
 /// over those.
-#[derive(Default)]
+#[derive(Clone, Default)]
 struct SimplexMeasures {
     radius_edge: f64,
     angle: LeastAngle,
     forced: u64,
     forced_angle: LeastAngle,
     below_min_angle: u64,
+    /// Simplices with a smaller dihedral angle than was asked for: those of several domains, those
+    /// of one.
+    below_min_dihedral: [u64; 2],
     flat: u64,
 }
 
 /// The smallest of angles, by the squared tangent of half of it.
+#[derive(Clone, Copy)]
 struct LeastAngle(f64);
 
 impl Default for LeastAngle {
@@ -159,12 +163,8 @@ impl Default for LeastAngle {
 }
 
 impl LeastAngle {
-    /// Takes the dihedral angles of the simplex with these vertices into account.
-    fn add<const D: usize>(&mut self, view: View<'_, D>, vertices: &[u32]) -> AllocResult<()> {
-        let points = view.points_of(vertices);
-        let squared_tangent = angles::smallest_squared_tangent(&points[..View::<D>::VERTICES])?;
+    fn add(&mut self, squared_tangent: f64) {
         self.0 = self.0.min(squared_tangent);
-        Ok(())
     }
 
     /// Returns the smallest angle in degrees, or 0 if there was none.
@@ -177,7 +177,7 @@ impl SimplexMeasures {
     fn add<const D: usize>(
         &mut self,
         view: View<'_, D>,
-        cell: &SimplexCell,
+        cell: &SimplexCell<'_, D>,
         at_cage: &[bool],
     ) -> AllocResult<()> {
         let vertices = view.simplex(cell.simplex);
@@ -186,20 +186,44 @@ impl SimplexMeasures {
             self.flat += 1;
             return Ok(());
         }
-        let is_forced = boundary.forced.binary_search(&(cell.simplex as u32)).is_ok();
-        if is_forced {
-            self.forced += 1;
-            return self.forced_angle.add(view, vertices);
-        }
         let parameters = &view.mesh.parameters;
+        let is_forced = boundary.forced.binary_search(&(cell.simplex as u32)).is_ok();
+        let is_at_cage = |&v: &u32| at_cage.get(v as usize).is_some_and(|&at_cage| at_cage);
+        let counts = !is_forced && !vertices.iter().any(is_at_cage);
+        if is_forced || counts || parameters.min_dihedral > 0.0 {
+            let tangent = cell.shape.smallest_squared_tangent()?;
+            if is_forced {
+                self.forced_angle.add(tangent);
+            }
+            if counts {
+                self.angle.add(tangent);
+            }
+            if slivers::is_below(tangent, parameters.min_dihedral) {
+                let is_of_one = cell.domain != NONE || view.mesh.domains.is_empty();
+                self.below_min_dihedral[usize::from(is_of_one)] += 1;
+            }
+        }
+        self.forced += u64::from(is_forced);
         // A triangle's smallest angle is below the one that is asked for if its ratio is above.
         let is_above = cell.radius_edge > parameters.quality_bound * (1.0 + SLACK);
-        self.below_min_angle += u64::from(parameters.min_angle > 0.0 && is_above);
-        if vertices.iter().any(|&v| at_cage.get(v as usize).is_some_and(|&at_cage| at_cage)) {
-            return Ok(());
+        self.below_min_angle += u64::from(parameters.min_angle > 0.0 && is_above && !is_forced);
+        if counts {
+            self.radius_edge = self.radius_edge.max(cell.radius_edge);
         }
-        self.radius_edge = self.radius_edge.max(cell.radius_edge);
-        self.angle.add(view, vertices)
+        Ok(())
+    }
+
+    /// Takes the figures of other simplices into account.
+    fn merge(&mut self, other: &Self) {
+        self.radius_edge = self.radius_edge.max(other.radius_edge);
+        self.angle.add(other.angle.0);
+        self.forced += other.forced;
+        self.forced_angle.add(other.forced_angle.0);
+        self.below_min_angle += other.below_min_angle;
+        for (count, more) in self.below_min_dihedral.iter_mut().zip(other.below_min_dihedral) {
+            *count += more;
+        }
+        self.flat += other.flat;
     }
 }
 
@@ -262,11 +286,43 @@ pub(crate) fn precision_limited_cages(mesh: &Triangulation) -> AllocResult<Vec<b
 
 /// Returns the largest number of distinct vertices that share a simplex with one vertex.
 /// O(simplices).
-fn max_degree<const D: usize>(view: View<'_, D>) -> AllocResult<u32> {
-    let stars = view.stars()?;
+///
+/// Triangles and tetrahedra round a vertex off the hull tell by their number how many neighbours it
+/// has, as the faces of a closed curve or sphere do. At others neighbours are counted, unless they
+/// must be fewer.
+fn max_degree<const D: usize>(
+    view: View<'_, D>,
+    cells: &Cells,
+    on_hull: &[bool],
+) -> AllocResult<u32> {
+    let told = |v: usize| degree_inside::<D>(cells, on_hull, v);
+    let inside = (0..view.vertex_count()).filter_map(told).max().unwrap_or(0);
+    let may_have_more = |v: usize| told(v).is_none() && cells.simplices_at(v) * D > inside;
+    let counted = collected((0..view.vertex_count()).map(may_have_more))?;
+    let inside = inside as u32;
+    match counted.contains(&true) {
+        true => Ok(inside.max(max_counted_degree(view, &counted)?)),
+        false => Ok(inside),
+    }
+}
+
+/// Returns the number of neighbours of a vertex off the hull; `None` where it must be counted.
+fn degree_inside<const D: usize>(cells: &Cells, on_hull: &[bool], v: usize) -> Option<usize> {
+    match (D, cells.simplices_at(v)) {
+        _ if on_hull[v] => None,
+        (2, simplices) => Some(simplices),
+        // Triangles of a sphere are even in number, twice its vertices less four.
+        (3, simplices) if simplices > 0 && simplices % 2 == 0 => Some(simplices / 2 + 2),
+        _ => None,
+    }
+}
+
+/// Returns the same of the vertices that are `counted`, by their stars.
+fn max_counted_degree<const D: usize>(view: View<'_, D>, counted: &[bool]) -> AllocResult<u32> {
+    let stars = view.stars_of(|v| counted[v as usize])?;
     let mut seen_from = filled(view.vertex_count(), NONE)?;
     let mut largest = 0;
-    for v in 0..view.vertex_count() {
+    for v in (0..view.vertex_count()).filter(|&v| counted[v]) {
         // So that it does not count itself.
         seen_from[v] = v as u32;
         let mut degree = 0;
@@ -299,4 +355,63 @@ fn is_consistent(mesh: &Triangulation) -> bool {
         && labelled
         && below_or_none(&mesh.cage_of, mesh.domains.len())
         && mesh.domains.iter().all(|domain| (domain.center as usize) < vertices)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::SplitMix;
+    use crate::options::{Algorithm, Options};
+    use crate::{Mesh, Output};
+
+    fn meshed(dim: usize, count: usize, options: &Options) -> Triangulation {
+        let mut random = SplitMix(dim as u64);
+        let points: Vec<f64> = (0..dim * count).map(|_| random.unit()).collect();
+        let mut mesh = Mesh::new(dim, count, &points, 0).unwrap();
+        mesh.run(options, None).unwrap();
+        mesh.triangulation().unwrap().clone()
+    }
+
+    #[test]
+    fn a_mesh_has_the_same_quality_on_any_number_of_threads() {
+        let options = Options { min_dihedral: 5.0, ..Options::default() };
+        let mut mesh = meshed(3, 3000, &options);
+        assert!(pieces(mesh.simplex_count()).len() > 2);
+        let mut on_threads = |threads| {
+            mesh.parameters.threads = threads;
+            measure(&mesh).unwrap()
+        };
+        let one = on_threads(1);
+        assert!(one.worst_cage_aspect >= 0.0 && one.min_angle_degrees > 0.0);
+        for threads in [2, 3, 8, 0] {
+            assert_eq!(on_threads(threads), one);
+        }
+    }
+
+    #[test]
+    fn degrees_told_by_numbers_of_simplices_are_those_that_are_counted() {
+        let finished = Options { output: Output::WellSpaced, ..Options::default() };
+        let plain = Options { algorithm: Algorithm::Delaunay, ..Options::default() };
+        for options in [Options::default(), finished, plain] {
+            degrees_are_counted::<2>(&meshed(2, 300, &options));
+            degrees_are_counted::<3>(&meshed(3, 300, &options));
+            degrees_are_counted::<4>(&meshed(4, 40, &options));
+        }
+    }
+
+    fn degrees_are_counted<const D: usize>(mesh: &Triangulation) {
+        let view = View::<D> { mesh };
+        let (cells, on_hull) = (Cells::of(view, None).unwrap(), view.hull_vertices().unwrap());
+        let all = vec![true; mesh.vertex_count()];
+        let counted = max_counted_degree(view, &all).unwrap();
+        assert_eq!(max_degree(view, &cells, &on_hull).unwrap(), counted);
+        for v in 0..mesh.vertex_count() {
+            let mut one = vec![false; mesh.vertex_count()];
+            one[v] = true;
+            let degree = max_counted_degree(view, &one).unwrap();
+            if let Some(told) = degree_inside::<D>(&cells, &on_hull, v) {
+                assert_eq!(told, degree as usize, "{v}");
+            }
+        }
+    }
 }

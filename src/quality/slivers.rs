@@ -19,13 +19,17 @@ pub(crate) fn survey<const D: usize>(
         let vertices = view.simplex(simplex);
         let points = view.points_of(vertices);
         let tangent = smallest_squared_tangent(&points[..View::<D>::VERTICES])?;
-        let smallest = angle(tangent).to_degrees();
         let is_flat = || view.mesh.boundary.flat.binary_search(&(simplex as u32)).is_ok();
-        if smallest < degrees && !is_flat() {
+        if is_below(tangent, degrees) && !is_flat() {
             let domain = |vertex: u32| view.mesh.vertex_domains[vertex as usize];
             let is_of_one = vertices.iter().all(|&vertex| domain(vertex) == domain(vertices[0]));
-            visit(simplex, smallest, is_of_one);
+            visit(simplex, angle(tangent).to_degrees(), is_of_one);
         }
     }
     Ok(())
+}
+
+/// Returns true if the angle whose half has a tangent with this square is below `degrees`.
+pub(super) fn is_below(squared_tangent: f64, degrees: f64) -> bool {
+    degrees > 0.0 && angle(squared_tangent).to_degrees() < degrees
 }

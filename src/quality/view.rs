@@ -45,8 +45,14 @@ impl<'a, const D: usize> View<'a, D> {
 
     /// Returns for each vertex the simplices at it, ascending. O(simplices).
     pub fn stars(self) -> AllocResult<Lists> {
+        self.stars_of(|_| true)
+    }
+
+    /// Returns for each vertex that `is_wanted` the simplices at it, ascending. O(simplices).
+    pub fn stars_of(self, is_wanted: impl Fn(u32) -> bool) -> AllocResult<Lists> {
         Lists::of_pairs(self.vertex_count(), || {
             let slots = self.mesh.simplices.iter().enumerate();
+            let slots = slots.filter(|&(_, &vertex)| is_wanted(vertex));
             slots.map(|(index, &vertex)| (vertex, (index / Self::VERTICES) as u32))
         })
     }
@@ -56,6 +62,9 @@ impl<'a, const D: usize> View<'a, D> {
         let mut on_hull = filled(self.vertex_count(), false)?;
         for s in 0..self.simplex_count() {
             let (vertices, neighbors) = (self.simplex(s), self.neighbors(s));
+            if !neighbors.contains(&NONE) {
+                continue;
+            }
             for i in (0..Self::VERTICES).filter(|&i| neighbors[i] == NONE) {
                 for (_, &v) in vertices.iter().enumerate().filter(|&(j, _)| j != i) {
                     on_hull[v as usize] = true;

@@ -5,11 +5,11 @@
 use super::boundary::Promised;
 use super::report::{Findings, Violation, ViolationKind};
 use crate::error::message;
-use crate::memory::AllocResult;
+use crate::memory::{AllocResult, collected};
 use crate::mesh::NONE;
 use crate::options::{Criterion, GivesWay};
 use crate::parameters::Parameters;
-use crate::quality::cells::{Cells, SimplexCell};
+use crate::quality::cells::{Cells, SimplexCell, pieces};
 use crate::quality::tree::DomainTree;
 use crate::quality::view::View;
 use crate::quality::{SLACK, precision_limited_cages};
@@ -26,12 +26,15 @@ pub(super) fn survey<const D: usize>(
     findings: &mut Findings,
 ) -> AllocResult<Cells> {
     let per_simplex = view.mesh.parameters.criterion == Criterion::RadiusEdge;
-    Cells::survey(view, Some(tree), 1.0 - SLACK, |cell| {
+    let mut parts = collected(pieces(view.simplex_count()).map(|_| Findings::default()))?;
+    let cells = Cells::survey(view, Some(tree), 1.0 - SLACK, &mut parts, |findings, cell| {
         if per_simplex && promised.includes(cell.simplex) && is_promised(view, cell) {
             check_simplex(view, cell, findings);
         }
         Ok(())
-    })
+    })?;
+    parts.into_iter().for_each(|part| findings.merge(part));
+    Ok(cells)
 }
 
 /// Checks the aspect of the cells of vertices and cages if that is the run's criterion.
@@ -65,7 +68,7 @@ fn gave_way<const D: usize>(view: View<'_, D>, id: usize) -> bool {
 
 /// Returns true if the bound is promised for a simplex: in a domain that is closed for every one,
 /// in others for those away from cages whose corner counts.
-fn is_promised<const D: usize>(view: View<'_, D>, cell: &SimplexCell) -> bool {
+fn is_promised<const D: usize>(view: View<'_, D>, cell: &SimplexCell<'_, D>) -> bool {
     let vertices = view.simplex(cell.simplex);
     let is_limited = |&v: &u32| view.mesh.precision_limited[v as usize];
     let all_corners = cell.domain != NONE && counts_all_corners(view, cell.domain);
@@ -124,7 +127,11 @@ fn check_cages<const D: usize>(
     Ok(())
 }
 
-fn check_simplex<const D: usize>(view: View<'_, D>, cell: &SimplexCell, findings: &mut Findings) {
+fn check_simplex<const D: usize>(
+    view: View<'_, D>,
+    cell: &SimplexCell<'_, D>,
+    findings: &mut Findings,
+) {
     let s = cell.simplex;
     findings.check(cell.radius_edge <= bound(view), || {
         let (ratio, limit) = (cell.radius_edge, view.mesh.parameters.quality_bound);

@@ -119,7 +119,7 @@ fn check_outer<const D: usize>(
     let parameters = &view.mesh.parameters;
     let factor = parameters.encroachment / parameters.epsilon * (1.0 - ROUNDING);
     for (i, domain) in view.mesh.domains.iter().enumerate().skip(1) {
-        let nearest = cells.cage_nearest[i];
+        let nearest = cells.cage_nearest(i);
         findings.check(nearest >= Length::new(domain.radius).times(factor), || {
             let (v, radius) = (nearest_outside(view, tree, i), domain.radius);
             let nearest = nearest.to_f64();

@@ -1,8 +1,9 @@
-//! Level 1: facets, found by sorting all of them, and compared with the neighbour array.
+//! Level 1: facets, found by sorting those of each lowest vertex, and compared with the neighbour
+//! array.
 
 use super::report::{Findings, Violation, ViolationKind};
 use crate::error::message;
-use crate::memory::{AllocResult, TryGrow, collected, filled, with_capacity};
+use crate::memory::{AllocResult, TryGrow, collected, filled};
 use crate::mesh::NONE;
 use crate::quality::view::View;
 
@@ -33,18 +34,49 @@ pub(super) fn check<const D: usize>(
     Ok(count)
 }
 
-fn sorted_facets<const D: usize>(view: View<'_, D>) -> AllocResult<Vec<Facet<D>>> {
-    let mut facets = with_capacity(view.mesh.simplices.len())?;
-    for s in 0..view.simplex_count() {
-        let simplex = view.simplex(s);
-        for apex in 0..View::<D>::VERTICES {
-            let mut vertices: [u32; D] =
-                std::array::from_fn(|k| simplex[k + usize::from(k >= apex)]);
-            vertices.sort_unstable();
-            facets.push(Facet { vertices, simplex: s as u32, apex: apex as u32 });
-        }
+impl<const D: usize> Facet<D> {
+    fn of(view: View<'_, D>, simplex: usize, apex: usize) -> Self {
+        let all = view.simplex(simplex);
+        let mut vertices: [u32; D] = std::array::from_fn(|k| all[k + usize::from(k >= apex)]);
+        vertices.sort_unstable();
+        Self { vertices, simplex: simplex as u32, apex: apex as u32 }
     }
-    facets.sort_unstable();
+
+    /// Returns the two vertices after the lowest as a number, of which facets seldom share one.
+    fn key(&self) -> u64 {
+        u64::from(self.vertices[1]) << 32 | u64::from(self.vertices[2.min(D - 1)])
+    }
+}
+
+/// Returns the facets in the order of their vertices. A counting sort by the lowest leaves few to
+/// sort at each.
+fn sorted_facets<const D: usize>(view: View<'_, D>) -> AllocResult<Vec<Facet<D>>> {
+    let mut starts = filled(view.vertex_count() + 1, 0usize)?;
+    let slots = || (0..view.simplex_count()).flat_map(|s| (0..=D).map(move |apex| (s, apex)));
+    let lowest = |(simplex, apex): (usize, usize)| {
+        let vertices = view.simplex(simplex).iter().enumerate();
+        vertices.filter(|&(slot, _)| slot != apex).fold(NONE, |low, (_, &v)| low.min(v)) as usize
+    };
+    slots().for_each(|slot| starts[lowest(slot) + 1] += 1);
+    for vertex in 0..view.vertex_count() {
+        starts[vertex + 1] += starts[vertex];
+    }
+    let none = Facet { vertices: [NONE; D], simplex: NONE, apex: NONE };
+    let mut facets = filled(view.mesh.simplices.len(), none)?;
+    for (simplex, apex) in slots() {
+        let facet = Facet::of(view, simplex, apex);
+        let next = &mut starts[facet.vertices[0] as usize];
+        facets[*next] = facet;
+        *next += 1;
+    }
+    let mut left = &mut *facets;
+    // Each start has moved to the start of the next vertex.
+    let mut start = 0;
+    for &end in &starts[..view.vertex_count()] {
+        let (of_vertex, others) = left.split_at_mut(end - start);
+        of_vertex.sort_unstable_by(|a, b| a.key().cmp(&b.key()).then_with(|| a.cmp(b)));
+        (left, start) = (others, end);
+    }
     Ok(facets)
 }
 

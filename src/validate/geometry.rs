@@ -3,36 +3,65 @@
 use super::report::{Findings, Violation, ViolationKind};
 use super::signs::{Adaptive, Signs};
 use crate::error::message;
-use crate::memory::{AllocResult, with_capacity};
+use crate::memory::{AllocResult, collected, filled};
 use crate::mesh::NONE;
+use crate::quality::cells::{PIECE, pieces};
 use crate::quality::view::View;
+use crate::threads::share;
 use std::cmp::Ordering;
 
-/// Checks orientations, folds and local Delaunay-ness; level 1 must hold. Returns whether all
-/// simplices are positively oriented and none is folded onto a neighbour.
-pub(super) fn check<const D: usize, A: Adaptive>(
+/// Checks orientations, folds and local Delaunay-ness, on as many threads as there are sources of
+/// signs; level 1 must hold. Returns whether all simplices are positively oriented and none is
+/// folded onto a neighbour.
+pub(super) fn check<const D: usize, A: Adaptive + Send>(
     view: View<'_, D>,
+    signs: &mut [Signs<A>],
+    findings: &mut Findings,
+) -> AllocResult<bool> {
+    let pieces = || pieces(view.simplex_count());
+    let mut positive = filled(view.simplex_count(), false)?;
+    let mut parts = collected(pieces().map(|_| Findings::default()))?;
+    let work = pieces().zip(positive.chunks_mut(PIECE)).zip(&mut parts);
+    share(work, signs, |signs, ((piece, positive), findings)| {
+        for (s, positive) in piece.zip(positive) {
+            *positive = check_orientation(view, s, signs, findings)?;
+        }
+        Ok(())
+    })?;
+    parts.drain(..).for_each(|part| findings.merge(part));
+    let mut parts = collected(pieces().map(|_| (Findings::default(), true)))?;
+    share(pieces().zip(&mut parts), signs, |signs, (piece, (findings, unfolded))| {
+        for s in piece {
+            *unfolded &= check_facets(view, s, &positive, signs, findings)?;
+        }
+        Ok(())
+    })?;
+    let unfolded = parts.iter().all(|(_, unfolded)| *unfolded);
+    parts.into_iter().for_each(|(part, _)| findings.merge(part));
+    Ok(unfolded && positive.iter().all(|&positive| positive))
+}
+
+/// Checks the facets of a simplex with neighbours of higher ids; returns whether none of these is
+/// folded onto it.
+fn check_facets<const D: usize, A: Adaptive>(
+    view: View<'_, D>,
+    s: usize,
+    positive: &[bool],
     signs: &mut Signs<A>,
     findings: &mut Findings,
 ) -> AllocResult<bool> {
-    let mut positive = with_capacity(view.simplex_count())?;
-    for s in 0..view.simplex_count() {
-        positive.push(check_orientation(view, s, signs, findings)?);
-    }
     let mut unfolded = true;
-    for s in 0..view.simplex_count() {
-        for slot in 0..View::<D>::VERTICES {
-            let neighbor = view.neighbors(s)[slot];
-            if neighbor == NONE || (neighbor as usize) < s {
-                continue;
-            }
-            unfolded &= check_fold(view, s, slot, findings);
-            if positive[s] && positive[neighbor as usize] {
-                check_delaunay(view, s, slot, signs, findings)?;
-            }
+    for slot in 0..View::<D>::VERTICES {
+        let neighbor = view.neighbors(s)[slot];
+        if neighbor == NONE || (neighbor as usize) < s {
+            continue;
+        }
+        unfolded &= check_fold(view, s, slot, findings);
+        if positive[s] && positive[neighbor as usize] {
+            check_delaunay(view, s, slot, signs, findings)?;
         }
     }
-    Ok(unfolded && positive.iter().all(|&positive| positive))
+    Ok(unfolded)
 }
 
 fn check_orientation<const D: usize, A: Adaptive>(

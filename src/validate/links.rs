@@ -2,7 +2,7 @@
 
 use super::report::{Findings, Violation, ViolationKind};
 use crate::error::message;
-use crate::memory::{AllocResult, TryGrow, collected, filled};
+use crate::memory::{AllocResult, TryGrow, filled};
 use crate::mesh::NONE;
 use crate::quality::view::View;
 
@@ -19,15 +19,19 @@ pub(super) fn check<const D: usize>(
 ) -> AllocResult<()> {
     let stars = view.stars()?;
     let mut seen = filled(view.simplex_count(), NONE)?;
+    let mut seen_vertices = filled(view.vertex_count(), NONE)?;
     let mut totals = [0u64; D];
-    let mut keys = Vec::new();
+    let (mut keys, mut stack) = (Vec::new(), Vec::new());
     for v in 0..view.vertex_count() {
         let star = stars.of(v);
-        check_star(view, v, star, &mut seen, findings)?;
+        check_star(view, v, star, &mut seen, &mut stack, findings)?;
         // counts[j]: link faces of j vertices, j = 1..=D - 2.
         let mut counts = [0u64; D];
         for (j, count) in counts.iter_mut().enumerate().take(D - 1).skip(1) {
-            *count = count_faces(view, v as u32, star, j, &mut keys)?;
+            *count = match j {
+                1 => count_vertices(view, v as u32, star, &mut seen_vertices),
+                _ => count_faces(view, v as u32, star, j, &mut keys)?,
+            };
         }
         if D <= LINK_COUNT_DIM {
             check_link(view, v, star, &counts, findings);
@@ -46,9 +50,11 @@ fn check_star<const D: usize>(
     v: usize,
     star: &[u32],
     seen: &mut [u32],
+    stack: &mut Vec<u32>,
     findings: &mut Findings,
 ) -> AllocResult<()> {
-    let mut stack = collected(star.iter().take(1).copied())?;
+    stack.clear();
+    stack.try_extend(&star[..star.len().min(1)])?;
     stack.iter().for_each(|&s| seen[s as usize] = v as u32);
     let mut reached = 0;
     while let Some(s) = stack.pop() {
@@ -70,6 +76,28 @@ fn check_star<const D: usize>(
     Ok(())
 }
 
+/// Returns true if the faces of a vertex `w` in the link of `v` are counted there.
+fn is_counted<const D: usize>(v: u32, w: u32) -> bool {
+    w != v && (D <= LINK_COUNT_DIM || w > v)
+}
+
+/// Counts the distinct vertices in the link of `v`, as [`count_faces`] does larger faces.
+fn count_vertices<const D: usize>(
+    view: View<'_, D>,
+    v: u32,
+    star: &[u32],
+    seen: &mut [u32],
+) -> u64 {
+    let mut count = 0;
+    for &s in star {
+        for &w in view.simplex(s as usize).iter().filter(|&&w| is_counted::<D>(v, w)) {
+            count += u64::from(seen[w as usize] != v);
+            seen[w as usize] = v;
+        }
+    }
+    count
+}
+
 /// Counts the distinct faces of `size` vertices in the link of `v`; above [`LINK_COUNT_DIM`] only
 /// those of higher vertices than `v`.
 fn count_faces<const D: usize>(
@@ -81,10 +109,9 @@ fn count_faces<const D: usize>(
 ) -> AllocResult<u64> {
     keys.clear();
     for &s in star {
-        let counts = |w: u32| w != v && (D <= LINK_COUNT_DIM || w > v);
         let mut link = [NONE; D];
         let mut length = 0;
-        for &w in view.simplex(s as usize).iter().filter(|&&w| counts(w)) {
+        for &w in view.simplex(s as usize).iter().filter(|&&w| is_counted::<D>(v, w)) {
             link[length] = w;
             length += 1;
         }

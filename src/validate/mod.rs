@@ -52,7 +52,9 @@ use crate::error::{Error, Result, message};
 use crate::memory::{AllocResult, TryGrow, collected};
 use crate::mesh::{Inputs, MAX_DIM, MIN_DIM, Mesh, Triangulation, in_dimension};
 use crate::options::{Algorithm, Output};
+use crate::quality::cells::pieces;
 use crate::quality::view::View;
+use crate::threads::usable;
 use boundary::Promised;
 use report::Findings;
 use signs::{Adaptive, Robust, Signs};
@@ -140,7 +142,9 @@ fn check<const D: usize>(
     let mut levels = collected([topology])?;
     if holds && level >= 2 {
         let mut findings = Findings::default();
-        check_geometry(view, &mut Signs::<Robust>::default(), &mut findings)?;
+        let threads = usable(view.mesh.parameters.threads).min(pieces(view.simplex_count()).len());
+        let mut signs = collected((0..threads.max(1)).map(|_| Signs::<Robust>::default()))?;
+        check_geometry(view, &mut signs, &mut findings)?;
         boundary::check_geometry(inputs, outline, view, &mut findings)?;
         levels.try_push(findings)?;
     }
@@ -154,14 +158,14 @@ fn check<const D: usize>(
     Ok(levels)
 }
 
-/// Checks level 2, with `signs` of any source.
-fn check_geometry<const D: usize, A: Adaptive>(
+/// Checks level 2, with signs of any source, on as many threads as there are `signs`.
+fn check_geometry<const D: usize, A: Adaptive + Send>(
     view: View<'_, D>,
-    signs: &mut Signs<A>,
+    signs: &mut [Signs<A>],
     findings: &mut Findings,
 ) -> AllocResult<()> {
     if geometry::check(view, signs, findings)? {
-        winding::check(view, signs, findings)?;
+        winding::check(view, &mut signs[0], findings)?;
     }
     Ok(())
 }

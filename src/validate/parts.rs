@@ -173,9 +173,9 @@ mod tests {
     }
 
     #[test]
-    fn lengths_come_back_from_words() {
+    fn lengths_come_back_from_a_word() {
         for length in [0.0, 1.5, 1e-310, f64::MAX, f64::INFINITY].map(Length::new) {
-            assert_eq!(Length::from_words(length.times(3.0).to_words()), length.times(3.0));
+            assert_eq!(Length::from_word(length.times(3.0).to_word()), length.times(3.0));
         }
     }
 }

@@ -356,6 +356,13 @@ impl Findings {
         holds
     }
 
+    /// Takes the findings of a later part of a check into account.
+    pub fn merge(&mut self, later: Self) {
+        self.violations += later.violations;
+        self.checked += later.checked;
+        self.first = self.first.take().or(later.first);
+    }
+
     /// Returns true if everything so far held.
     pub fn clean(&self) -> bool {
         self.violations == 0

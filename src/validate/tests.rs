@@ -43,7 +43,7 @@ fn signs_come_from_the_package<const D: usize>(family: Family) {
     let mesh = meshed::<D>(120, family);
     let view = View::<D> { mesh: mesh.triangulation().unwrap() };
     let (mut signs, mut findings) = (Signs::<Counted>::default(), Findings::default());
-    check_geometry(view, &mut signs, &mut findings).unwrap();
+    check_geometry(view, std::slice::from_mut(&mut signs), &mut findings).unwrap();
     assert!(findings.clean());
     let interior = view.mesh.neighbors.iter().filter(|&&n| n != NONE).count() / 2;
     let asked = &signs.adaptive;
@@ -84,7 +84,7 @@ fn a_wrong_package_makes_a_wrong_certificate() {
     let mesh = meshed::<2>(60, Family::Uniform);
     let view = View::<2> { mesh: mesh.triangulation().unwrap() };
     let (mut signs, mut findings) = (Signs::<Reversed>::default(), Findings::default());
-    check_geometry(view, &mut signs, &mut findings).unwrap();
+    check_geometry(view, std::slice::from_mut(&mut signs), &mut findings).unwrap();
     let interior = view.mesh.neighbors.iter().filter(|&&n| n != NONE).count() / 2;
     assert_eq!(findings.violations, interior as u64);
     assert_eq!(findings.first.unwrap().kind, ViolationKind::Delaunay);

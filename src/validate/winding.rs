@@ -8,11 +8,17 @@
 //! more have no proper coverings, so neither at smaller faces. At a hull ridge they must turn by
 //! at most pi. A compact ball that is mapped so, locally convex everywhere, is embedded and convex
 //! (Tietze and Nakajima).
+//!
+//! Interior faces need not be walked round where the hull tells as much. Let it be convex at its
+//! ridges, all of its facets turn the same side to a point o, and one ray from o meet one of them.
+//! Seen from o the hull then covers every direction once: it is the boundary of a convex body.
+//! Simplices are positive and facets between them cancel, so as many simplices cover a point as the
+//! hull winds round it, one within the body and none outside.
 
 use super::report::{Findings, Violation, ViolationKind};
 use super::signs::{Adaptive, Signs};
 use crate::error::message;
-use crate::memory::{AllocResult, filled};
+use crate::memory::{AllocResult, TryGrow, filled};
 use crate::mesh::{MAX_DIM, NONE};
 use crate::quality::view::View;
 use std::cmp::Ordering;
@@ -38,14 +44,30 @@ impl Step {
     }
 }
 
-/// Checks the winding round all faces of codimension two. Level 1 must hold, and all simplices be
-/// positively oriented and unfolded. O(simplices D^2) orientation tests.
+/// Checks the winding round all faces of codimension two, or of those at the hull where these tell
+/// enough. Level 1 must hold, and all simplices be positively oriented and unfolded. O(simplices
+/// D^2) orientation tests, or O(hull D^2).
 pub(super) fn check<const D: usize, A: Adaptive>(
     view: View<'_, D>,
     signs: &mut Signs<A>,
     findings: &mut Findings,
 ) -> AllocResult<()> {
     let mut done = filled(view.simplex_count(), 0u64)?;
+    let mut of_hull = Findings::default();
+    let facets = hull_facets(view)?;
+    for &[simplex, to] in &facets {
+        for from in (0..View::<D>::VERTICES).filter(|&from| from != to) {
+            let step = Step { simplex, from, to };
+            if done[simplex] & step.bit() == 0 {
+                check_face(view, step, false, &mut done, signs, &mut of_hull)?;
+            }
+        }
+    }
+    let is_convex = of_hull.clean();
+    findings.merge(of_hull);
+    if is_convex && surrounds(view, &facets, signs)? {
+        return Ok(());
+    }
     for simplex in 0..view.simplex_count() {
         for to in 1..View::<D>::VERTICES {
             for from in 0..to {
@@ -58,6 +80,73 @@ pub(super) fn check<const D: usize, A: Adaptive>(
         }
     }
     Ok(())
+}
+
+/// Returns the facets of the hull, each as a simplex and the slot of the vertex opposite.
+fn hull_facets<const D: usize>(view: View<'_, D>) -> AllocResult<Vec<[usize; 2]>> {
+    let mut facets = Vec::new();
+    for simplex in (0..view.simplex_count()).filter(|&s| view.neighbors(s).contains(&NONE)) {
+        let slots = view.neighbors(simplex).iter().enumerate();
+        for (slot, _) in slots.filter(|&(_, &neighbor)| neighbor == NONE) {
+            facets.try_push([simplex, slot])?;
+        }
+    }
+    Ok(facets)
+}
+
+/// Returns true if all facets of the hull turn their inner side to a point and a ray from there
+/// meets one of them: then the hull winds once round that point. False says nothing.
+fn surrounds<const D: usize, A: Adaptive>(
+    view: View<'_, D>,
+    facets: &[[usize; 2]],
+    signs: &mut Signs<A>,
+) -> AllocResult<bool> {
+    let Some(&[first, apex]) = facets.first() else {
+        return Ok(false);
+    };
+    // A simplex in the middle of the array is most often away from the hull.
+    let center = mean(view, view.simplex(view.simplex_count() / 2), None);
+    let target = mean(view, view.simplex(first), Some(apex));
+    if !center.iter().chain(&target).all(|x| x.is_finite()) {
+        return Ok(false);
+    }
+    let mut met = 0;
+    for &[simplex, apex] in facets {
+        let mut points = view.points_of(view.simplex(simplex));
+        points[apex] = &center;
+        if signs.orientation(&points[..View::<D>::VERTICES])? != Ordering::Greater {
+            return Ok(false);
+        }
+        // The least of the target's coordinates at the vertices of the facet, seen from the centre.
+        let mut least = Ordering::Greater;
+        for slot in (0..View::<D>::VERTICES).filter(|&slot| slot != apex) {
+            let mut points = points;
+            points[slot] = &target;
+            least = least.min(signs.orientation(&points[..View::<D>::VERTICES])?);
+            if least == Ordering::Less {
+                break;
+            }
+        }
+        match least {
+            Ordering::Less => {}
+            // The ray may go from facet to facet.
+            Ordering::Equal => return Ok(false),
+            Ordering::Greater => met += 1,
+        }
+    }
+    Ok(met == 1)
+}
+
+/// Returns the mean of vertices, less the one in a slot, rounded.
+fn mean<const D: usize>(view: View<'_, D>, vertices: &[u32], without: Option<usize>) -> [f64; D] {
+    let count = (vertices.len() - usize::from(without.is_some())) as f64;
+    let mut mean = [0.0; D];
+    for (_, &vertex) in vertices.iter().enumerate().filter(|&(slot, _)| Some(slot) != without) {
+        for (sum, x) in mean.iter_mut().zip(view.point(vertex)) {
+            *sum += x / count;
+        }
+    }
+    mean
 }
 
 /// Returns the next simplex of the walk, across the facet without `from`; `None` beyond the hull.

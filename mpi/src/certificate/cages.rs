@@ -268,24 +268,24 @@ fn check_whole<const D: usize>(
 ) -> Result<()> {
     let mut outbox = Outbox::new(comm.size())?;
     for (ball, part) in hierarchy.balls.iter().zip(parts) {
-        let [a, b] = part.nearest.to_words();
-        let [c, d] = part.farthest.to_words();
-        let [e, f] = ball.radius.to_words();
-        let record = [ball.id, a, b, c, d, part.vertices, part.is_limited.into(), e, f];
+        let [nearest, farthest, radius] =
+            [part.nearest, part.farthest, ball.radius].map(Length::to_word);
+        let is_limited = part.is_limited.into();
+        let record = [ball.id, nearest, farthest, radius, part.vertices, is_limited];
         outbox.put_by_names(1, record)?;
     }
     for group in outbox.deliver(comm)?.chunk_by(|a, b| a.0[0] == b.0[0]) {
-        let length = |record: &[u64; 9], at| Length::from_words([record[at], record[at + 1]]);
+        let length = |record: &[u64; 6], at| Length::from_word(record[at]);
         let mut whole = CageShare::default();
         for (record, _) in group {
             whole.nearest = whole.nearest.min(length(record, 1));
-            whole.farthest = whole.farthest.max(length(record, 3));
-            whole.vertices += record[5];
-            whole.is_limited |= record[6] != 0;
+            whole.farthest = whole.farthest.max(length(record, 2));
+            whole.vertices += record[4];
+            whole.is_limited |= record[5] != 0;
         }
         let (first, rank) = &group[0];
         if !whole.is_limited {
-            check_cage(mesh, first[0], length(first, 7), &whole, *rank, findings);
+            check_cage(mesh, first[0], length(first, 3), &whole, *rank, findings);
         }
     }
     Ok(())

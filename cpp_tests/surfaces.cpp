@@ -90,11 +90,33 @@ void check_refusals() {
     CHECK(!wrong && wrong.status() == NM_INVALID_ARGUMENT);
 }
 
+// The functions of C that the header stands on, and their array getters' rules.
+void check_c_functions(const std::string& scratch) {
+    const netmesh::mesh held = triangulated(3, torus());
+    const nm_mesh* mesh = held.get();
+    nm_surface measures = NM_SURFACE_INIT;
+    nm_report report = NM_REPORT_INIT;
+    CHECK(nm_mesh_surface(mesh, &measures) == NM_OK && measures.handles == 1);
+    CHECK(nm_mesh_surface(mesh, nullptr) == NM_NULL_ARGUMENT);
+    CHECK(nm_mesh_validate_surface(mesh, &report) == NM_OK && report.violations == 0);
+    std::uint64_t needed = 0;
+    CHECK(nm_mesh_get_surface_facets(mesh, nullptr, 0, &needed) == NM_OK && needed == 3 * measures.facets);
+    CHECK(nm_mesh_get_surface_left_out(mesh, nullptr, 0, &needed) == NM_OK && needed == 2);
+    CHECK(nm_mesh_get_surface_genera(mesh, nullptr, 0, &needed) == NM_OK && needed == 1);
+    CHECK(nm_mesh_get_surface_insides(mesh, nullptr, 0, &needed) == NM_OK);
+    CHECK(needed == held.counts().simplices);
+    std::uint32_t one = 7;
+    CHECK(nm_mesh_get_surface_left_out(mesh, &one, 1, &needed) == NM_CAPACITY && one == 7);
+    CHECK(nm_export_surface(mesh, (scratch + "/torus.obj").c_str()) == NM_OK);
+    CHECK(nm_export_surface(mesh, "torus.vtu") == NM_INVALID_ARGUMENT);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     CHECK(argc == 2);
     check_torus(argv[1]);
     check_refusals();
+    check_c_functions(argv[1]);
     return 0;
 }

@@ -12,11 +12,14 @@ use crate::options::{Algorithm, Options};
 use std::ffi::CString;
 use std::ptr::{null, null_mut};
 
-/// Returns the Delaunay triangulation of the corners of the unit square, the first of them twice,
-/// and a point far from it.
+/// Returns the Delaunay triangulation of 16 points along the sides of a square of 4 units, of a point
+/// far from it, and of its first corner once more: inputs 0, 1, and the others in rows.
 fn delaunay() -> nm_mesh {
-    let points = [0.0, 0.0, 9.0, 0.5, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 1.0];
-    let mut mesh = Mesh::new(2, 6, &points, 0).unwrap();
+    let lattice = (0..25).map(|i| [i / 5, i % 5]);
+    let is_on_side = |p: &[i32; 2]| p.iter().any(|&x| x == 0 || x == 4);
+    let sides = lattice.filter(is_on_side).flat_map(|p| p.map(f64::from));
+    let points: Vec<f64> = [0.0, 0.0, 40.0, 2.0].into_iter().chain(sides).collect();
+    let mut mesh = Mesh::new(2, 18, &points, 0).unwrap();
     mesh.run(&Options { algorithm: Algorithm::Delaunay, ..Options::default() }, None).unwrap();
     nm_mesh::new(mesh)
 }
@@ -37,9 +40,9 @@ fn a_surface_has_measures() {
     let expected = nm_surface {
         struct_size: 56,
         reserved: 0,
-        volume: 1.0,
-        facets: 4,
-        vertices: 4,
+        volume: 16.0,
+        facets: 16,
+        vertices: 16,
         left_out: 1,
         shells: 1,
         handles: 0,
@@ -51,26 +54,28 @@ fn a_surface_has_measures() {
 fn arrays_speak_of_inputs() {
     let mesh = delaunay();
     let mut needed = 0;
-    let (mut facets, mut left_out, mut genera, mut insides) =
-        ([0u32; 8], [0u32; 1], [9u64], [7; 9]);
+    let (mut facets, mut left_out) = ([0u32; 32], [0u32; 1]);
+    let (mut genera, mut insides) = ([9u64], [7; 18]);
     // SAFETY: a live handle and buffers of the capacity that is said.
     unsafe {
         let get = nm_mesh_get_surface_facets;
-        assert_eq!(get(&mesh, facets.as_mut_ptr(), 7, &mut needed), nm_status::NM_CAPACITY);
-        assert_eq!(needed, 8);
-        assert_eq!(get(&mesh, facets.as_mut_ptr(), 8, null_mut()), nm_status::NM_OK);
+        assert_eq!(get(&mesh, facets.as_mut_ptr(), 31, &mut needed), nm_status::NM_CAPACITY);
+        assert_eq!(needed, 32);
+        assert_eq!(get(&mesh, facets.as_mut_ptr(), 32, null_mut()), nm_status::NM_OK);
         let get = nm_mesh_get_surface_left_out;
         assert_eq!(get(&mesh, left_out.as_mut_ptr(), 1, null_mut()), nm_status::NM_OK);
         let get = nm_mesh_get_surface_genera;
         assert_eq!(get(&mesh, genera.as_mut_ptr(), 1, null_mut()), nm_status::NM_OK);
         let get = nm_mesh_get_surface_insides;
-        assert_eq!(get(&mesh, insides.as_mut_ptr(), 9, &mut needed), nm_status::NM_OK);
+        assert_eq!(get(&mesh, insides.as_mut_ptr(), 18, &mut needed), nm_status::NM_OK);
     }
-    let mut edges: Vec<&[u32]> = facets.chunks(2).collect();
-    edges.sort_unstable();
-    assert_eq!(edges, [[0, 2], [2, 4], [4, 5], [5, 0]]);
+    facets.sort_unstable();
+    // Of the corner that is there twice the first; each point between two edges.
+    let on_curve = std::iter::once(0).chain(3..18).flat_map(|input| [input; 2]);
+    assert!(facets.into_iter().eq(on_curve), "{facets:?}");
     assert_eq!((left_out, genera), ([1], [0]));
-    assert_eq!(insides[..needed as usize].iter().map(|&is| usize::from(is)).sum::<usize>(), 2);
+    // A polygon of 16 corners.
+    assert_eq!(insides[..needed as usize].iter().map(|&is| usize::from(is)).sum::<usize>(), 14);
 }
 
 #[test]
@@ -87,7 +92,7 @@ fn a_surface_is_certified_and_written() {
         let path = std::env::temp_dir().join(format!("netmesh_surface_{}.off", std::process::id()));
         let name = CString::new(path.to_str().unwrap()).unwrap();
         assert_eq!(nm_export_surface(&mesh, name.as_ptr()), nm_status::NM_OK);
-        assert!(std::fs::read_to_string(&path).unwrap().starts_with("OFF\n4 4 0\n"));
+        assert!(std::fs::read_to_string(&path).unwrap().starts_with("OFF\n16 16 0\n"));
         std::fs::remove_file(path).unwrap();
         let status = nm_export_surface(&mesh, c"surface.stl".as_ptr());
         assert_eq!(status, nm_status::NM_INVALID_ARGUMENT);

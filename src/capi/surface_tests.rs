@@ -12,8 +12,8 @@ use crate::options::{Algorithm, Options};
 use std::ffi::CString;
 use std::ptr::{null, null_mut};
 
-/// Returns the Delaunay triangulation of 16 points along the sides of a square of 4 units, of a point
-/// far from it, and of its first corner once more: inputs 0, 1, and the others in rows.
+/// Returns the Delaunay triangulation of 16 points along the sides of a square of 4 units, of a
+/// point far from it, and of its first corner once more: inputs 0, 1, and the others in rows.
 fn delaunay() -> nm_mesh {
     let lattice = (0..25).map(|i| [i / 5, i % 5]);
     let is_on_side = |p: &[i32; 2]| p.iter().any(|&x| x == 0 || x == 4);

@@ -174,11 +174,11 @@ fn cofactors<const D: usize>(edges: &[[f64; D]; D]) -> [[f64; D]; D] {
         cofactors[1][0] = -a[1];
         cofactors[1][1] = a[0];
     } else {
-        for k in 0..D {
+        for (k, row) in cofactors.iter_mut().enumerate() {
             let (a, b) = (&edges[(k + 1) % 3], &edges[(k + 2) % 3]);
-            for axis in 0..D {
+            for (axis, cofactor) in row.iter_mut().enumerate() {
                 let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
-                cofactors[k][axis] = a[next] * b[last] - a[last] * b[next];
+                *cofactor = a[next] * b[last] - a[last] * b[next];
             }
         }
     }
@@ -215,10 +215,10 @@ mod tests {
             let miss = exact.plus(&Offset::normalized(solution.center.map(|x| -x), 0));
             assert!(miss.length().ratio(exact.length()) < 1e-9, "{points:?}");
             let gradients = rational::gradients(&points, simplex.base).unwrap().unwrap();
-            for k in 0..D {
+            for (k, gradient) in gradients.iter().enumerate() {
                 let normal = solution.normals[k + usize::from(k >= simplex.base)];
-                let along = normal.iter().zip(&gradients[k].vector).map(|(a, b)| a * b);
-                let norms = [normal, gradients[k].vector].map(|v| v.map(|x| x * x).iter().sum());
+                let along = normal.iter().zip(&gradient.vector).map(|(a, b)| a * b);
+                let norms = [normal, gradient.vector].map(|v| v.map(|x| x * x).iter().sum());
                 let cosine = along.sum::<f64>() / norms.iter().product::<f64>().sqrt();
                 assert!((cosine - 1.0).abs() < 1e-9, "{points:?}: {cosine}");
             }

@@ -25,10 +25,10 @@ class Surface:
     --------
     >>> import netmesh
     >>> cube = netmesh.surface([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
-    >>> cube.faces.shape, cube.genera, cube.volume
+    >>> cube.faces.shape, cube.genera, round(cube.volume, 12)
     ((12, 3), (0,), 1.0)
     >>> part = netmesh.mesh(cube, max_edge=0.5)
-    >>> round(float(part.volumes().sum()), 12)
+    >>> round(float(part.volumes.sum()), 12)
     1.0
     """
 

@@ -54,7 +54,7 @@ def test_a_torus_becomes_a_surface_and_a_solid(tmp_path):
     lines = (tmp_path / "torus.off").read_text().splitlines()
     assert lines[0] == "OFF" and lines[1].split()[1] == str(len(solid.boundary))
     with pytest.raises(netmesh.InvalidArgumentError, match=".ply, .off, .stl or .obj"):
-        solid.export(tmp_path / "torus.stl")
+        solid.export(tmp_path / "torus.vtu")
 
 
 def test_values_by_name():

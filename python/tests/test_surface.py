@@ -39,14 +39,14 @@ def test_duplicates_and_outliers_are_told_by_the_numbers_of_points():
     assert found.left_out.tolist() == [0, 3011]
     assert (given[found.point_facets] == found.vertices[found.facets]).all()
     assert found.is_inside.shape == (len(found.triangulation.simplices),)
-    inside = found.triangulation.volumes()[found.is_inside].sum()
+    inside = found.triangulation.volumes[found.is_inside].sum()
     assert inside == pytest.approx(found.volume, rel=1e-12)
 
 
 def test_the_way_goes_on_to_a_mesh_and_to_files(tmp_path):
     found = netmesh.surface(on_torus(1500))
     part = netmesh.mesh(found, min_dihedral=10)
-    assert part.volumes().sum() == pytest.approx(found.volume, rel=1e-12)
+    assert part.volumes.sum() == pytest.approx(found.volume, rel=1e-12)
     for name in ("a.off", "a.ply", "a.obj", "a.stl"):
         found.export(tmp_path / name)
         read = trimesh.load(tmp_path / name)

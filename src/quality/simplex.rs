@@ -215,7 +215,7 @@ mod tests {
             let miss = exact.plus(&Offset::normalized(solution.center.map(|x| -x), 0));
             assert!(miss.length().ratio(exact.length()) < 1e-9, "{points:?}");
             let gradients = rational::gradients(&points, simplex.base).unwrap().unwrap();
-            for (k, gradient) in gradients.iter().enumerate() {
+            for (k, gradient) in gradients.iter().enumerate().take(D) {
                 let normal = solution.normals[k + usize::from(k >= simplex.base)];
                 let along = normal.iter().zip(&gradient.vector).map(|(a, b)| a * b);
                 let norms = [normal, gradient.vector].map(|v| v.map(|x| x * x).iter().sum());

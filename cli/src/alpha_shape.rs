@@ -16,18 +16,20 @@ pub struct Measured {
     pub topology: Topology,
 }
 
-/// Refuses what no alpha shape can come of.
-pub fn require(arguments: &Arguments, path: Option<&Path>) -> Result<(), Failure> {
+/// Refuses what neither an alpha shape nor a surface through points can come of; `option` asks for
+/// one of them.
+pub fn require(arguments: &Arguments, option: &str, path: Option<&Path>) -> Result<(), Failure> {
     if arguments.meshing.options.algorithm == Algorithm::Svr {
-        let message = "--alpha-shape is of the Delaunay triangulation of the input; leave \
-                       --algorithm svr out";
+        let message = format!(
+            "{option} is of the Delaunay triangulation of the input; leave --algorithm svr out"
+        );
         return Err(Failure::new(ExitCode::Usage, message));
     }
     path.map_or(Ok(()), |path| format(path).map(|_| ()))
 }
 
 /// Refuses a path whose extension names no format of surfaces, and standard output.
-fn format(path: &Path) -> Result<SurfaceFormat, Failure> {
+pub fn format(path: &Path) -> Result<SurfaceFormat, Failure> {
     if standard::is_meant(path) {
         let message = "standard output has no name that tells the format of a surface; name a file \
                        that ends with .ply, .off, .stl or .obj";

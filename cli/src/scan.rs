@@ -1,9 +1,8 @@
 //! The surface through the points in place of the mesh, and the part inside it.
 
-use crate::arguments::Arguments;
+use crate::alpha_shape::format;
 use crate::exit_code::{ExitCode, Failure};
-use crate::standard;
-use netmesh::io::{SurfaceFormat, write_surface_file};
+use netmesh::io::write_surface_file;
 use netmesh::surface::Surface;
 use netmesh::{Algorithm, Mesh, Options, Triangulation};
 use std::path::Path;
@@ -15,27 +14,6 @@ pub struct Found {
     pub points: usize,
     /// Volume of what is inside; an area in the plane.
     pub volume: f64,
-}
-
-/// Refuses what no surface can come of.
-pub fn require(arguments: &Arguments, path: Option<&Path>) -> Result<(), Failure> {
-    if arguments.meshing.options.algorithm == Algorithm::Svr {
-        let message = "--surface is of the Delaunay triangulation of the input; leave --algorithm \
-                       svr out";
-        return Err(Failure::new(ExitCode::Usage, message));
-    }
-    path.map_or(Ok(()), |path| format(path).map(|_| ()))
-}
-
-/// Refuses a path whose extension names no format of surfaces, and standard output.
-fn format(path: &Path) -> Result<SurfaceFormat, Failure> {
-    if standard::is_meant(path) {
-        let message = "standard output has no name that tells the format of a surface; name a file \
-                       that ends with .ply, .off, .stl or .obj";
-        return Err(Failure::new(ExitCode::Usage, message));
-    }
-    SurfaceFormat::from_path(path)
-        .map_err(|error| Failure::writing(&path.display().to_string(), &error))
 }
 
 /// Refuses points that no surface goes through.

@@ -106,10 +106,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 /// Refuses what can be seen to be wrong before anything is read.
 fn check_paths(arguments: &Arguments) -> Result<(), Failure> {
     input::require_format(arguments)?;
+    let output = arguments.output.as_deref();
     match arguments.product() {
-        Product::AlphaShape(_) => alpha_shape::require(arguments, arguments.output.as_deref())?,
-        Product::Surface => scan::require(arguments, arguments.output.as_deref())?,
-        _ if arguments.volume => scan::require(arguments, None)?,
+        Product::AlphaShape(_) => alpha_shape::require(arguments, "--alpha-shape", output)?,
+        Product::Surface => alpha_shape::require(arguments, "--surface", output)?,
+        _ if arguments.volume => alpha_shape::require(arguments, "--surface", None)?,
         _ => {}
     }
     if let Some(output) = &arguments.output {

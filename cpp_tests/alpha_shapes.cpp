@@ -53,7 +53,7 @@ void shapes_agree_with_themselves(const std::string& scratch) {
     CHECK(shape.boundary().size() == count(shape.classes(2), NM_FACE_CLASS_REGULAR));
     shape.save(scratch + "/alpha_shape.ply");
     const auto other = shape.try_save(scratch + "/alpha_shape.vtu");
-    CHECK(!other && other.message().find("use .ply or .off") != std::string::npos);
+    CHECK(!other && other.message().find("use .ply, .off, .stl or .obj") != std::string::npos);
     const auto negative = netmesh::alpha_shape(mesh, -1).try_measures();
     CHECK(!negative && negative.status() == NM_INVALID_ARGUMENT);
     const auto none = netmesh::try_optimal_alpha(mesh, 0);

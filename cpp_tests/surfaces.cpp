@@ -76,6 +76,37 @@ void check_torus(const std::string& scratch) {
     surface.save(scratch + "/torus.stl");
 }
 
+// Half of a sphere, which ends once and has the same points on it.
+void check_bowl() {
+    std::vector<double> points;
+    for (int i = 0; i < 1000; ++i) {
+        const double z = (i + 0.5) / 1000, turn = 2.399963229728653 * i, reach = std::sqrt(1 - z * z);
+        points.insert(points.end(), {reach * std::cos(turn), reach * std::sin(turn), z});
+    }
+    const netmesh::mesh mesh = triangulated(3, points);
+    const netmesh::surface surface(mesh, NM_SURFACE_OPEN);
+    const nm_surface measures = surface.measures();
+    CHECK(measures.shells == 1 && measures.ends == 1 && measures.one_sided == 0 && measures.volume == 0);
+    CHECK(measures.left_out == 0 && measures.handles == 0);
+    std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+    for (auto facet : surface.facets()) {
+        for (int k = 0; k < 3; ++k) {
+            CHECK(edges.emplace(facet[k], facet[(k + 1) % 3]).second);
+        }
+    }
+    const auto alone = std::count_if(edges.begin(), edges.end(), [&](const std::pair<std::uint32_t, std::uint32_t>& e) {
+        return edges.count({e.second, e.first}) == 0;
+    });
+    CHECK(static_cast<std::uint64_t>(alone) == 2 * measures.vertices - 2 - measures.facets && alone > 10);
+    const auto sampling = surface.sampling();
+    CHECK(sampling.size() == 1000);
+    CHECK(static_cast<std::uint64_t>(std::count_if(sampling.begin(), sampling.end(), [](double r) { return r > 1; })) ==
+          measures.sparse);
+    CHECK(*std::min_element(sampling.begin(), sampling.end()) > 0.01);
+    CHECK(surface.validate().violations == 0);
+    CHECK(netmesh::surface(mesh).measures().ends == 0);
+}
+
 void check_refusals() {
     const std::vector<double> square = {0, 0, 1, 0, 1, 1, 0, 1};
     const netmesh::mesh mesh = triangulated(2, square);
@@ -116,6 +147,7 @@ void check_c_functions(const std::string& scratch) {
 int main(int argc, char** argv) {
     CHECK(argc == 2);
     check_torus(argv[1]);
+    check_bowl();
     check_refusals();
     check_c_functions(argv[1]);
     return 0;

@@ -339,7 +339,7 @@ fn the_layouts_are_fixed() {
         "CHECK(insertion, offsetof(nm_stats, insertion_constant_cage) == 240);",
         "CHECK(report, sizeof(nm_report) == 200 && offsetof(nm_report, message) == 40);",
         "CHECK(shape, sizeof(nm_alpha_shape) == 136 && offsetof(nm_alpha_shape, betti) == 40);",
-        "CHECK(surface, sizeof(nm_surface) == 56 && offsetof(nm_surface, facets) == 16);",
+        "CHECK(surface, sizeof(nm_surface) == 80 && offsetof(nm_surface, facets) == 16);",
         "CHECK(region, sizeof(nm_region) == 48 && offsetof(nm_region, is_hole) == 40);",
         "CHECK(meeting, sizeof(nm_intersection) == 48 && offsetof(nm_intersection, point) == 24);",
         "CHECK(odd, sizeof(nm_odd_edge) == 20 && offsetof(nm_odd_edge, facets) == 16);",

@@ -100,6 +100,12 @@ pub struct Arguments {
     ])]
     pub surface: bool,
 
+    /// Let the surface through the points end, or have one side alone, as a sheet, a terrain or a
+    /// Moebius strip; in the plane curves with ends. Holes of more than some five distances of
+    /// points stay
+    #[arg(long, requires = "surface", conflicts_with = "volume")]
+    pub open: bool,
+
     /// Make the mesh of what the surface encloses, as of a part: the output is a mesh
     #[arg(long, requires = "surface")]
     pub volume: bool,

@@ -4,7 +4,7 @@ use crate::exit_code::{ExitCode, Failure};
 use crate::numbers::counted;
 use netmesh::Mesh;
 use netmesh::surface::Surface;
-use netmesh::validate::{Report, validate_mesh, validate_surface};
+use netmesh::validate::{Report, validate_mesh};
 
 /// Topology, geometry and the paper's promises.
 const LEVEL: u32 = 3;
@@ -16,8 +16,7 @@ pub fn check(mesh: &Mesh) -> Result<Report, Failure> {
 /// Checks the triangulation and the surface in it.
 pub fn check_surface(mesh: &Mesh, surface: &Surface) -> Result<Report, Failure> {
     let triangulation = mesh.result()?;
-    let Surface { facets, left_out, .. } = surface;
-    Ok(validate_surface(mesh.inputs(), triangulation, facets, left_out)?)
+    Ok(surface.validate(mesh.inputs(), triangulation)?)
 }
 
 pub fn holds(report: &Report) -> bool {

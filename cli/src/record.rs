@@ -105,6 +105,8 @@ fn shell(shell: &Shell) -> Value {
         "facets": shell.facets,
         "vertices": shell.vertices,
         "genus": shell.genus,
+        "ends": shell.ends,
+        "is_one_sided": shell.is_one_sided,
     })
 }
 
@@ -114,6 +116,7 @@ fn surface(found: &Found, dim: usize) -> Value {
         "facets": surface.facets.len() / dim,
         "points": points,
         "left_out": surface.left_out.len(),
+        "sparse": surface.sparse(),
         "volume": number(*volume),
         "shells": surface.shells.iter().map(shell).collect::<Vec<_>>(),
     })

@@ -3,7 +3,7 @@
 use crate::alpha_shape::format;
 use crate::exit_code::{ExitCode, Failure};
 use netmesh::io::write_surface_file;
-use netmesh::surface::Surface;
+use netmesh::surface::{Surface, SurfaceKind};
 use netmesh::{Algorithm, Mesh, Options, Triangulation};
 use std::path::Path;
 
@@ -12,7 +12,7 @@ pub struct Found {
     pub surface: Surface,
     /// Number of distinct points.
     pub points: usize,
-    /// Volume of what is inside; an area in the plane.
+    /// Volume of what is inside; an area in the plane. 0 for an open surface.
     pub volume: f64,
 }
 
@@ -30,9 +30,9 @@ pub fn require_dimension(mesh: &Mesh) -> Result<(), Failure> {
 }
 
 /// Finds the surface through the points of a plain Delaunay triangulation.
-pub fn find(mesh: &Mesh) -> Result<Found, Failure> {
+pub fn find(mesh: &Mesh, kind: SurfaceKind) -> Result<Found, Failure> {
     let triangulation = mesh.result()?;
-    let surface = Surface::through(triangulation)?;
+    let surface = Surface::through(triangulation, kind)?;
     let volume = surface.volume(triangulation)?;
     Ok(Found { surface, points: mesh.inputs().distinct(), volume })
 }
@@ -48,7 +48,7 @@ pub fn write(mesh: &Mesh, surface: &Surface, path: &Path) -> Result<(), Failure>
 pub fn replace(mesh: &mut Mesh, threads: u32) -> Result<Found, Failure> {
     let options = Options { algorithm: Algorithm::Delaunay, threads, ..Options::default() };
     mesh.run(&options, None)?;
-    let found = find(mesh)?;
+    let found = find(mesh, SurfaceKind::Closed)?;
     if found.surface.facets.is_empty() {
         let message = "the points have no inside: no surface goes through them";
         return Err(Failure::new(ExitCode::InputRefused, message));

@@ -23,6 +23,7 @@ use crate::standard;
 use crate::summary::{Summary, Times};
 use crate::words::CommandLine;
 use netmesh::prepared::Prepared;
+use netmesh::surface::SurfaceKind;
 use netmesh::{Extent, Mesh, Triangulation, quality};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -202,7 +203,8 @@ fn make(
     make_mesh(mesh, origins, arguments, display)?;
     if arguments.product() == Product::Surface {
         let _stage = display.stage("surface");
-        return scan::find(mesh).map(Some);
+        let kind = if arguments.open { SurfaceKind::Open } else { SurfaceKind::Closed };
+        return scan::find(mesh, kind).map(Some);
     }
     Ok(enclosed)
 }

@@ -11,6 +11,7 @@ use crate::repairs::Repairs;
 use crate::scan::Found;
 use crate::standard;
 use netmesh::quality::Quality;
+use netmesh::surface::SurfaceKind;
 use netmesh::validate::Report;
 use netmesh::{
     Algorithm, Attribute, Criterion, Extent, GivesWay, Inputs, LeftOut, Mesh, NetOrdering, Output,
@@ -336,11 +337,26 @@ impl Summary<'_> {
         let (part, parts) = if is_plane { ("curve", "curves") } else { ("shell", "shells") };
         let mut found = vec![counted(facets as u64, one, many), counted(shells, part, parts)];
         if !is_plane {
-            let handles = surface.shells.iter().map(|shell| shell.genus).sum();
+            let two_sided = surface.shells.iter().filter(|shell| !shell.is_one_sided);
+            let handles = two_sided.map(|shell| shell.genus).sum();
             found.push(counted(handles, "handle", "handles"));
         }
-        found.push(format!("{} {}", if is_plane { "area" } else { "volume" }, measure(*volume)));
+        if surface.kind == SurfaceKind::Open {
+            found.push(counted(surface.shells.iter().map(|shell| shell.ends).sum(), "end", "ends"));
+        } else {
+            let name = if is_plane { "area" } else { "volume" };
+            found.push(format!("{name} {}", measure(*volume)));
+        }
         lines.add("surface", found.join(", "));
+        let one_sided = surface.shells.iter().filter(|shell| shell.is_one_sided).count() as u64;
+        if one_sided > 0 {
+            lines.add("", format!("{} with one side alone", counted(one_sided, part, parts)));
+        }
+        let sparse = surface.sparse() as u64;
+        if sparse > 0 {
+            let where_sparse = counted(sparse, "point", "points");
+            lines.add("", format!("a guess at {where_sparse}, which are sparse there"));
+        }
         let left_out = surface.left_out.len() as u64;
         if left_out > 0 {
             let of = grouped(*points as u64);

@@ -5,9 +5,8 @@ use crate::derived::ids;
 use crate::errors::{abandonable, detached, detached_on_file, invalid};
 use netmesh::Triangulation;
 use netmesh::io::{SurfaceFormat, write_surface_file};
-use netmesh::surface::Surface;
+use netmesh::surface::{Surface, SurfaceKind};
 use netmesh::topology::has_inputs_alone;
-use netmesh::validate::validate_surface;
 use numpy::prelude::*;
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
@@ -23,15 +22,16 @@ pub struct SurfaceCore {
 
 #[pymethods]
 impl Core {
-    fn surface(&self, py: Python<'_>) -> PyResult<SurfaceCore> {
+    fn surface(&self, py: Python<'_>, closed: bool) -> PyResult<SurfaceCore> {
         if !has_inputs_alone(self.triangulation()) {
             let message = "the mesh has vertices that are no inputs; make it with \
                            algorithm='delaunay'";
             return Err(invalid(py, message.into()));
         }
         let made = Arc::clone(&self.made);
+        let kind = if closed { SurfaceKind::Closed } else { SurfaceKind::Open };
         abandonable(py, move || {
-            let surface = Surface::through(made.triangulation())?;
+            let surface = Surface::through(made.triangulation(), kind)?;
             Ok(SurfaceCore { made, surface })
         })
     }
@@ -83,15 +83,25 @@ impl SurfaceCore {
         self.surface.shells.iter().map(|shell| shell.genus).collect()
     }
 
+    /// Returns the number of ends of each shell, and whether it has one side alone.
+    fn ends(&self) -> Vec<(u64, bool)> {
+        self.surface.shells.iter().map(|shell| (shell.ends, shell.is_one_sided)).collect()
+    }
+
+    /// Returns the sampling of the vertices that are on the surface.
+    fn sampling<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        let all = self.surface.sampling.iter().copied();
+        PyArray1::from_vec(py, all.filter(|ratio| !ratio.is_nan()).collect())
+    }
+
     fn volume(&self, py: Python<'_>) -> PyResult<f64> {
         detached(py, || self.surface.volume(self.mesh()))
     }
 
     /// Returns the number of violations that the certificate finds, and the first in words.
     fn validate(&self, py: Python<'_>) -> PyResult<(u64, Option<String>)> {
-        let Surface { facets, left_out, .. } = &self.surface;
         let inputs = self.made.mesh.inputs();
-        let report = detached(py, || validate_surface(inputs, self.mesh(), facets, left_out))?;
+        let report = detached(py, || self.surface.validate(inputs, self.mesh()))?;
         Ok((report.violations, report.first.map(|first| first.message.into_owned())))
     }
 

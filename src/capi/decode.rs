@@ -1,13 +1,14 @@
 //! Enums from C: any 32 bits, of which some are a value. A parameter or field that C fills is a
 //! `MaybeUninit` of its enum (cbindgen writes the enum itself).
 
-use super::enums::{nm_filtration, nm_interpolation};
+use super::enums::{nm_filtration, nm_interpolation, nm_surface_kind};
 use crate::arrays::SelectionExtent;
 use crate::error::{Error, Result, message};
 use crate::io::Format;
 use crate::options;
 use crate::quality::Measure;
 use crate::query::{Interpolation, Method, Outside};
+use crate::surface::SurfaceKind;
 use std::fmt::Display;
 use std::mem::MaybeUninit;
 
@@ -61,6 +62,10 @@ pub(super) fn decode_extent(
 /// Returns true for [`nm_filtration::NM_FILTRATION_MESH`].
 pub(super) fn decode_filtration(raw: MaybeUninit<nm_filtration>) -> Result<bool> {
     decode("filtration", "nm_filtration", raw, [false, true])
+}
+
+pub(super) fn decode_surface(raw: MaybeUninit<nm_surface_kind>) -> Result<SurfaceKind> {
+    decode("kind", "nm_surface_kind", raw, [SurfaceKind::Closed, SurfaceKind::Open])
 }
 
 pub(super) fn decode_interpolation(raw: MaybeUninit<nm_interpolation>) -> Result<Method> {

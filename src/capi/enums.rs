@@ -121,6 +121,18 @@ pub enum nm_interpolation {
     NM_INTERPOLATION_LAPLACE_OR_NEAREST = 18,
 }
 
+/// Surfaces that nm_mesh_surface and its like find through the inputs.
+/// cbindgen:rename-all=none
+#[allow(non_camel_case_types)]
+#[repr(i32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum nm_surface_kind {
+    /// Closed surfaces (in 2D closed curves), the boundary of what is inside.
+    NM_SURFACE_CLOSED = 0,
+    /// Surfaces (in 2D curves) that may end, or have one side alone.
+    NM_SURFACE_OPEN = 1,
+}
+
 /// Values of the faces of a mesh, which nm_mesh_filtration writes.
 /// cbindgen:rename-all=none
 #[allow(non_camel_case_types)]

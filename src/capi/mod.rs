@@ -133,8 +133,8 @@ pub use structs::{
 };
 pub use surfaces::{
     nm_export_surface, nm_mesh_get_surface_facets, nm_mesh_get_surface_genera,
-    nm_mesh_get_surface_insides, nm_mesh_get_surface_left_out, nm_mesh_surface,
-    nm_mesh_validate_surface, nm_surface,
+    nm_mesh_get_surface_insides, nm_mesh_get_surface_left_out, nm_mesh_get_surface_sampling,
+    nm_mesh_surface, nm_mesh_validate_surface, nm_surface,
 };
 pub use topology::{
     nm_export_filtration, nm_mesh_filtration, nm_mesh_filtration_factor, nm_mesh_get_coface_starts,

@@ -1,15 +1,16 @@
 //! The functions of surfaces through points.
 
-use super::enums::nm_status;
+use super::enums::{nm_status, nm_surface_kind};
 use super::handle::nm_mesh;
 use super::measures::nm_mesh_validate;
 use super::run::nm_run;
 use super::structs::nm_report;
 use super::surfaces::*;
-use super::test_support::{last_message, square};
+use super::test_support::{from_c, last_message, square};
 use crate::mesh::Mesh;
 use crate::options::{Algorithm, Options};
 use std::ffi::CString;
+use std::mem::MaybeUninit;
 use std::ptr::{null, null_mut};
 
 /// Returns the Delaunay triangulation of 16 points along the sides of a square of 4 units, of a
@@ -24,6 +25,10 @@ fn delaunay() -> nm_mesh {
     nm_mesh::new(mesh)
 }
 
+fn closed() -> MaybeUninit<nm_surface_kind> {
+    MaybeUninit::new(nm_surface_kind::NM_SURFACE_CLOSED)
+}
+
 fn cleared<T>(size: impl Fn(&mut T) -> &mut u32) -> T {
     // SAFETY: only structs of numbers are asked for.
     let mut value: T = unsafe { std::mem::zeroed() };
@@ -36,9 +41,9 @@ fn a_surface_has_measures() {
     let mesh = delaunay();
     let mut surface = cleared(|surface: &mut nm_surface| &mut surface.struct_size);
     // SAFETY: a live handle and a struct of its size.
-    assert_eq!(unsafe { nm_mesh_surface(&mesh, &mut surface) }, nm_status::NM_OK);
+    assert_eq!(unsafe { nm_mesh_surface(&mesh, closed(), &mut surface) }, nm_status::NM_OK);
     let expected = nm_surface {
-        struct_size: 56,
+        struct_size: 80,
         reserved: 0,
         volume: 16.0,
         facets: 16,
@@ -46,8 +51,15 @@ fn a_surface_has_measures() {
         left_out: 1,
         shells: 1,
         handles: 0,
+        ends: 0,
+        one_sided: 0,
+        sparse: 0,
     };
     assert_eq!(surface, expected);
+    let open = MaybeUninit::new(nm_surface_kind::NM_SURFACE_OPEN);
+    // SAFETY: a live handle and a struct of its size.
+    assert_eq!(unsafe { nm_mesh_surface(&mesh, open, &mut surface) }, nm_status::NM_OK);
+    assert_eq!(surface, nm_surface { volume: 0.0, ..expected });
 }
 
 #[test]
@@ -55,17 +67,22 @@ fn arrays_speak_of_inputs() {
     let mesh = delaunay();
     let mut needed = 0;
     let (mut facets, mut left_out) = ([0u32; 32], [0u32; 1]);
-    let (mut genera, mut insides) = ([9u64], [7; 18]);
+    let (mut genera, mut insides, mut sampling) = ([9u64], [7; 18], [0.0; 17]);
     // SAFETY: a live handle and buffers of the capacity that is said.
     unsafe {
         let get = nm_mesh_get_surface_facets;
-        assert_eq!(get(&mesh, facets.as_mut_ptr(), 31, &mut needed), nm_status::NM_CAPACITY);
+        assert_eq!(
+            get(&mesh, closed(), facets.as_mut_ptr(), 31, &mut needed),
+            nm_status::NM_CAPACITY
+        );
         assert_eq!(needed, 32);
-        assert_eq!(get(&mesh, facets.as_mut_ptr(), 32, null_mut()), nm_status::NM_OK);
+        assert_eq!(get(&mesh, closed(), facets.as_mut_ptr(), 32, null_mut()), nm_status::NM_OK);
         let get = nm_mesh_get_surface_left_out;
-        assert_eq!(get(&mesh, left_out.as_mut_ptr(), 1, null_mut()), nm_status::NM_OK);
+        assert_eq!(get(&mesh, closed(), left_out.as_mut_ptr(), 1, null_mut()), nm_status::NM_OK);
         let get = nm_mesh_get_surface_genera;
-        assert_eq!(get(&mesh, genera.as_mut_ptr(), 1, null_mut()), nm_status::NM_OK);
+        assert_eq!(get(&mesh, closed(), genera.as_mut_ptr(), 1, null_mut()), nm_status::NM_OK);
+        let get = nm_mesh_get_surface_sampling;
+        assert_eq!(get(&mesh, closed(), sampling.as_mut_ptr(), 17, null_mut()), nm_status::NM_OK);
         let get = nm_mesh_get_surface_insides;
         assert_eq!(get(&mesh, insides.as_mut_ptr(), 18, &mut needed), nm_status::NM_OK);
     }
@@ -74,6 +91,9 @@ fn arrays_speak_of_inputs() {
     let on_curve = std::iter::once(0).chain(3..18).flat_map(|input| [input; 2]);
     assert!(facets.into_iter().eq(on_curve), "{facets:?}");
     assert_eq!((left_out, genera), ([1], [0]));
+    // The distinct points, of which the second is left out.
+    let is_on = |(vertex, ratio): (usize, &f64)| ratio.is_nan() == (vertex == 1);
+    assert!(sampling.iter().enumerate().all(is_on), "{sampling:?}");
     // A polygon of 16 corners.
     assert_eq!(insides[..needed as usize].iter().map(|&is| usize::from(is)).sum::<usize>(), 14);
 }
@@ -84,17 +104,17 @@ fn a_surface_is_certified_and_written() {
     let mut report = cleared(|report: &mut nm_report| &mut report.struct_size);
     // SAFETY: a live handle, a whole struct, C strings.
     unsafe {
-        assert_eq!(nm_mesh_validate_surface(&mesh, &mut report), nm_status::NM_OK);
+        assert_eq!(nm_mesh_validate_surface(&mesh, closed(), &mut report), nm_status::NM_OK);
         assert_eq!((report.level, report.violations), (3, 0));
         let of_surface = report.checked;
         assert_eq!(nm_mesh_validate(&mesh, 3, &mut report), nm_status::NM_OK);
         assert!(of_surface > report.checked);
         let path = std::env::temp_dir().join(format!("netmesh_surface_{}.off", std::process::id()));
         let name = CString::new(path.to_str().unwrap()).unwrap();
-        assert_eq!(nm_export_surface(&mesh, name.as_ptr()), nm_status::NM_OK);
+        assert_eq!(nm_export_surface(&mesh, closed(), name.as_ptr()), nm_status::NM_OK);
         assert!(std::fs::read_to_string(&path).unwrap().starts_with("OFF\n16 16 0\n"));
         std::fs::remove_file(path).unwrap();
-        let status = nm_export_surface(&mesh, c"surface.stl".as_ptr());
+        let status = nm_export_surface(&mesh, closed(), c"surface.stl".as_ptr());
         assert_eq!(status, nm_status::NM_INVALID_ARGUMENT);
         assert_eq!(last_message(), "STL has triangles in space, and the mesh is 2D");
     }
@@ -106,17 +126,21 @@ fn what_has_no_surface_is_refused() {
     let mesh = delaunay();
     // SAFETY: NULL, or a live handle.
     unsafe {
-        assert_eq!(nm_mesh_surface(&mesh, null_mut()), nm_status::NM_NULL_ARGUMENT);
+        assert_eq!(nm_mesh_surface(&mesh, closed(), null_mut()), nm_status::NM_NULL_ARGUMENT);
         assert_eq!(last_message(), "surface is NULL");
-        assert_eq!(nm_mesh_surface(null(), &mut surface), nm_status::NM_NULL_ARGUMENT);
+        assert_eq!(nm_mesh_surface(null(), closed(), &mut surface), nm_status::NM_NULL_ARGUMENT);
+        let other = from_c(2);
+        let status = nm_mesh_surface(&mesh, other, &mut surface);
+        assert_eq!(status, nm_status::NM_INVALID_ARGUMENT);
+        assert_eq!(last_message(), "kind is 2; it must be one of nm_surface_kind, 0 to 1");
         let unfinished = square();
-        assert_eq!(nm_mesh_surface(&unfinished, &mut surface), nm_status::NM_STATE);
+        assert_eq!(nm_mesh_surface(&unfinished, closed(), &mut surface), nm_status::NM_STATE);
     }
     let mut refined = square();
     // SAFETY: a live handle.
     let status = unsafe {
         assert_eq!(nm_run(&mut refined, null()), nm_status::NM_OK);
-        nm_mesh_surface(&refined, &mut surface)
+        nm_mesh_surface(&refined, closed(), &mut surface)
     };
     assert_eq!(status, nm_status::NM_INVALID_ARGUMENT);
     assert!(last_message().contains("NM_ALGORITHM_DELAUNAY"), "{}", last_message());

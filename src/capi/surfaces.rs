@@ -1,6 +1,7 @@
 //! Surfaces through points: the boundary of the simplices that are inside.
 
-use super::enums::nm_status;
+use super::decode::decode_surface;
+use super::enums::{nm_status, nm_surface_kind};
 use super::getters::result;
 use super::handle::{nm_mesh, with_prepared};
 use super::measures::encode_report;
@@ -12,8 +13,8 @@ use crate::mesh::Mesh;
 use crate::prepared::Prepared;
 use crate::surface::Surface;
 use crate::topology::has_inputs_alone;
-use crate::validate::validate_surface;
 use std::ffi::c_char;
+use std::mem::MaybeUninit;
 
 /// Measures of a surface through points, from nm_mesh_surface.
 #[allow(non_camel_case_types)]
@@ -24,8 +25,8 @@ pub struct nm_surface {
     pub struct_size: u32,
     /// 0.
     pub reserved: u32,
-    /// The volume that it encloses (an area in 2D), in the unit of the coordinates to the power
-    /// dim.
+    /// The volume that a closed one encloses (an area in 2D), in the unit of the coordinates to the
+    /// power dim; 0 for an open one.
     pub volume: f64,
     /// Number of facets: triangles in 3D, edges in 2D.
     pub facets: u64,
@@ -33,10 +34,17 @@ pub struct nm_surface {
     pub vertices: u64,
     /// Number of vertices that are not on it.
     pub left_out: u64,
-    /// Number of connected parts: closed surfaces in 3D, closed curves in 2D.
+    /// Number of connected parts, called shells.
     pub shells: u64,
-    /// Number of handles of all shells: 0 for a sphere, 1 for a torus; 0 in 2D.
+    /// Number of handles of all shells that have two sides: 0 for a sphere, 1 for a torus; 0 in 2D.
     pub handles: u64,
+    /// Number of closed curves at which shells end: 1 for a disk, 2 for a tube; in 2D of points, 2
+    /// for a curve. 0 for a closed one.
+    pub ends: u64,
+    /// Number of shells that have one side alone, as a Moebius strip has.
+    pub one_sided: u64,
+    /// Number of vertices where nm_mesh_get_surface_sampling is above 1: what is there is a guess.
+    pub sparse: u64,
 }
 
 // SAFETY: repr(C), begins with a u32, no padding (checked below), and the fields take any bits.
@@ -44,42 +52,58 @@ unsafe impl Versioned for nm_surface {
     const TYPE: &'static str = "nm_surface";
 }
 
-const _: () = assert!(size_of::<nm_surface>() == 2 * 4 + 6 * 8);
+const _: () = assert!(size_of::<nm_surface>() == 2 * 4 + 9 * 8);
 
-fn surface<'a>(mesh: &Mesh, prepared: &'a Prepared) -> Result<&'a Surface> {
+fn surface<'a>(
+    mesh: &Mesh,
+    prepared: &'a Prepared,
+    kind: MaybeUninit<nm_surface_kind>,
+) -> Result<&'a Surface> {
+    let kind = decode_surface(kind)?;
     if !has_inputs_alone(result(mesh)?) {
         return Err(Error::invalid(
             "a surface is of a Delaunay triangulation of the inputs alone, but the mesh has \
              vertices that are no inputs; set options.algorithm to NM_ALGORITHM_DELAUNAY",
         ));
     }
-    prepared.surface(mesh)
+    prepared.surface(mesh, kind)
 }
 
-/// Finds the surface that the inputs were sampled from, and measures it: a closed surface in 3D,
-/// closed curves in 2D. No normals are asked for. It is the boundary of some simplices, so it is
-/// watertight, has no intersections, is oriented, and its vertices are inputs; it is a manifold.
-/// Outliers, and inputs that noise moved off it, are left out.
+fn closed<'a>(mesh: &Mesh, prepared: &'a Prepared) -> Result<&'a Surface> {
+    surface(mesh, prepared, MaybeUninit::new(nm_surface_kind::NM_SURFACE_CLOSED))
+}
+
+/// Finds the surface that the inputs were sampled from, and measures it: a surface in 3D, curves in
+/// 2D. No normals are asked for. Its facets are faces of the Delaunay triangulation, so it has no
+/// intersections, and its vertices are inputs; it is a manifold. Outliers, and inputs that noise
+/// moved off it, are left out.
+///
+/// kind: NM_SURFACE_CLOSED for the boundary of some simplices, which is watertight and oriented
+/// outwards; a surface that ends is closed somehow. NM_SURFACE_OPEN for one that may end or have
+/// one side alone: it has no facet with a circumradius of more than five distances of points, which
+/// is where it ends, and is oriented where it has two sides.
 ///
 /// It has the topology of the surface that was sampled, where that is sampled densely for its
-/// curvature and thickness. A surface that is open is closed somehow.
+/// curvature and thickness.
 ///
 /// surface: the caller sets struct_size. No facets mean that the inputs tell of no inside.
 ///
-/// Errors: NM_NULL_ARGUMENT (mesh, surface), NM_INVALID_ARGUMENT (a mesh of four dimensions or
-/// more; a vertex is no input: the message says what to do; surface->struct_size), NM_LIMIT (more
-/// than 2^30 simplices), NM_OUT_OF_MEMORY, NM_STATE (no result yet, nm_run at work, poisoned).
+/// Errors: NM_NULL_ARGUMENT (mesh, surface), NM_INVALID_ARGUMENT (kind; a mesh of four dimensions
+/// or more; a vertex is no input: the message says what to do; surface->struct_size), NM_LIMIT
+/// (more than 2^30 simplices), NM_OUT_OF_MEMORY, NM_STATE (no result yet, nm_run at work,
+/// poisoned).
 ///
-/// O(simplices log simplices) for the first call of this group after a run.
+/// O(simplices log simplices) for the first call of this group with a kind after a run.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn nm_mesh_surface(
     mesh: *const nm_mesh,
+    kind: MaybeUninit<nm_surface_kind>,
     surface: *mut nm_surface,
 ) -> nm_status {
     let body = |mesh: &Mesh, prepared: &Prepared| {
         // SAFETY: the caller gave NULL or as many bytes as the `struct_size` says.
         let out = unsafe { OutStruct::new("surface", surface)? };
-        let surface = self::surface(mesh, prepared)?;
+        let surface = self::surface(mesh, prepared, kind)?;
         out.write(&encode(surface, surface.volume(result(mesh)?)?));
         Ok(())
     };
@@ -97,17 +121,21 @@ fn encode(surface: &Surface, volume: f64) -> nm_surface {
         vertices: shells().map(|shell| shell.vertices).sum(),
         left_out: surface.left_out.len() as u64,
         shells: surface.shells.len() as u64,
-        handles: shells().map(|shell| shell.genus).sum(),
+        handles: shells().filter(|shell| !shell.is_one_sided).map(|shell| shell.genus).sum(),
+        ends: shells().map(|shell| shell.ends).sum(),
+        one_sided: shells().filter(|shell| shell.is_one_sided).count() as u64,
+        sparse: surface.sparse() as u64,
     }
 }
 
 /// Writes the facets of the surface: facets x dim inputs, numbers of the caller's points, of equal
-/// ones the first; oriented outwards as by nm_mesh_get_hull.
+/// ones the first; those of closed shells are oriented outwards as by nm_mesh_get_hull.
 ///
 /// Array getter, see the top of this file. Errors: as nm_mesh_surface; NM_CAPACITY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn nm_mesh_get_surface_facets(
     mesh: *const nm_mesh,
+    kind: MaybeUninit<nm_surface_kind>,
     buf: *mut u32,
     capacity: u64,
     needed: *mut u64,
@@ -115,7 +143,7 @@ pub unsafe extern "C" fn nm_mesh_get_surface_facets(
     // SAFETY: the caller gave NULL or a live handle, and a buffer by the getters' rules.
     unsafe {
         with_prepared(mesh, |mesh, prepared| {
-            let facets = &surface(mesh, prepared)?.facets;
+            let facets = &surface(mesh, prepared, kind)?.facets;
             let inputs = facets.iter().map(|&vertex| first_input(mesh, vertex));
             copy_out(buf, capacity, needed, facets.len(), inputs)
         })
@@ -128,6 +156,7 @@ pub unsafe extern "C" fn nm_mesh_get_surface_facets(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn nm_mesh_get_surface_left_out(
     mesh: *const nm_mesh,
+    kind: MaybeUninit<nm_surface_kind>,
     buf: *mut u32,
     capacity: u64,
     needed: *mut u64,
@@ -135,7 +164,7 @@ pub unsafe extern "C" fn nm_mesh_get_surface_left_out(
     // SAFETY: as above.
     unsafe {
         with_prepared(mesh, |mesh, prepared| {
-            let left_out = &surface(mesh, prepared)?.left_out;
+            let left_out = &surface(mesh, prepared, kind)?.left_out;
             let inputs = left_out.iter().map(|&vertex| first_input(mesh, vertex));
             copy_out(buf, capacity, needed, left_out.len(), inputs)
         })
@@ -148,12 +177,14 @@ fn first_input(mesh: &Mesh, vertex: u32) -> u32 {
 }
 
 /// Writes the number of handles of each shell of the surface, in the order of their first vertices:
-/// 0 for a sphere, 1 for a torus; 0 in 2D.
+/// 0 for a sphere, 1 for a torus; 0 in 2D; of a shell with one side its crosscaps, 1 for a Moebius
+/// strip.
 ///
 /// Array getter, see the top of this file. Errors: as nm_mesh_surface; NM_CAPACITY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn nm_mesh_get_surface_genera(
     mesh: *const nm_mesh,
+    kind: MaybeUninit<nm_surface_kind>,
     buf: *mut u64,
     capacity: u64,
     needed: *mut u64,
@@ -161,14 +192,38 @@ pub unsafe extern "C" fn nm_mesh_get_surface_genera(
     // SAFETY: as above.
     unsafe {
         with_prepared(mesh, |mesh, prepared| {
-            let shells = &surface(mesh, prepared)?.shells;
+            let shells = &surface(mesh, prepared, kind)?.shells;
             let genera = shells.iter().map(|shell| shell.genus);
             copy_out(buf, capacity, needed, shells.len(), genera)
         })
     }
 }
 
-/// Writes for each simplex 1 if the surface has it inside, else 0.
+/// Writes for each vertex how sparse the inputs are there for the surface: the largest circumradius
+/// of its facets (in 2D half the longest of its edges) over the distance to the nearest pole of
+/// their vertices, which stands for the local feature size. 0.3 and less is dense; above 1 the
+/// surface is a guess. At sharp edges, and with noise, it is large. NaN for a vertex that is left
+/// out. The vertices are those of nm_mesh_get_points.
+///
+/// Array getter, see the top of this file. Errors: as nm_mesh_surface; NM_CAPACITY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mesh_get_surface_sampling(
+    mesh: *const nm_mesh,
+    kind: MaybeUninit<nm_surface_kind>,
+    buf: *mut f64,
+    capacity: u64,
+    needed: *mut u64,
+) -> nm_status {
+    // SAFETY: as above.
+    unsafe {
+        with_prepared(mesh, |mesh, prepared| {
+            let sampling = &surface(mesh, prepared, kind)?.sampling;
+            copy_out(buf, capacity, needed, sampling.len(), sampling.iter().copied())
+        })
+    }
+}
+
+/// Writes for each simplex 1 if the closed surface has it inside, else 0.
 ///
 /// Array getter, see the top of this file. Errors: as nm_mesh_surface; NM_CAPACITY.
 #[unsafe(no_mangle)]
@@ -181,15 +236,15 @@ pub unsafe extern "C" fn nm_mesh_get_surface_insides(
     // SAFETY: as above.
     unsafe {
         with_prepared(mesh, |mesh, prepared| {
-            let insides = &surface(mesh, prepared)?.is_inside;
+            let insides = &closed(mesh, prepared)?.is_inside;
             copy_out(buf, capacity, needed, insides.len(), insides.iter().map(|&is| u8::from(is)))
         })
     }
 }
 
-/// Checks the triangulation as nm_mesh_validate does at level 3, and the surface: it is closed,
-/// oriented and a manifold, its facets are faces of the triangulation, and each vertex is on it or
-/// left out.
+/// Checks the triangulation as nm_mesh_validate does at level 3, and the surface: it is a manifold,
+/// closed unless it is NM_SURFACE_OPEN, and oriented unless a shell has one side; its facets are
+/// faces of the triangulation, and each vertex is on it or left out.
 ///
 /// report: the caller sets struct_size.
 ///
@@ -198,13 +253,13 @@ pub unsafe extern "C" fn nm_mesh_get_surface_insides(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn nm_mesh_validate_surface(
     mesh: *const nm_mesh,
+    kind: MaybeUninit<nm_surface_kind>,
     report: *mut nm_report,
 ) -> nm_status {
     let body = |mesh: &Mesh, prepared: &Prepared| {
         // SAFETY: the caller gave NULL or as many bytes as the `struct_size` says.
         let out = unsafe { OutStruct::new("report", report)? };
-        let Surface { facets, left_out, .. } = surface(mesh, prepared)?;
-        let found = validate_surface(mesh.inputs(), result(mesh)?, facets, left_out)?;
+        let found = surface(mesh, prepared, kind)?.validate(mesh.inputs(), result(mesh)?)?;
         out.write(&encode_report(&found));
         Ok(())
     };
@@ -224,6 +279,7 @@ pub unsafe extern "C" fn nm_mesh_validate_surface(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn nm_export_surface(
     mesh: *const nm_mesh,
+    kind: MaybeUninit<nm_surface_kind>,
     path_utf8: *const c_char,
 ) -> nm_status {
     // SAFETY: the caller gave NULL or a live handle, and NULL or a C string.
@@ -232,7 +288,7 @@ pub unsafe extern "C" fn nm_export_surface(
             let triangulation = result(mesh)?;
             let path = utf8_path(path_utf8)?;
             let format = SurfaceFormat::from_path(path)?;
-            let facets = &surface(mesh, prepared)?.facets;
+            let facets = &surface(mesh, prepared, kind)?.facets;
             write_surface_file(mesh.inputs(), triangulation, facets, format, path)
         })
     }

@@ -16,7 +16,7 @@ use crate::mesh::{Attribute, Intersection, Mesh, OddEdge, Triangulation};
 use crate::netmesh;
 use crate::options::{self, Algorithm, Options};
 use crate::query::{self, Among, Index, SimplexBoxes, Values, Work};
-use crate::surface::Surface;
+use crate::surface::{Surface, SurfaceKind};
 use crate::topology::{self, Faces, Filtration};
 use kept::Kept;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -34,7 +34,8 @@ pub struct Prepared {
     faces: Once<Faces>,
     alpha: Once<Filtration>,
     distances: Once<Filtration>,
-    surface: Once<Surface>,
+    closed_surface: Once<Surface>,
+    open_surface: Once<Surface>,
     intersections: Once<Vec<Intersection>>,
     odd_edges: Once<Vec<OddEdge>>,
     kept: Kept,
@@ -187,9 +188,13 @@ impl Prepared {
     ///
     /// # Errors
     /// `State` before a run, and those of [`Surface::through`].
-    pub fn surface(&self, mesh: &Mesh) -> Result<&Surface> {
+    pub fn surface(&self, mesh: &Mesh, kind: SurfaceKind) -> Result<&Surface> {
         let result = mesh.result()?;
-        self.surface.get_or_make(|| Surface::through(result))
+        let surface = match kind {
+            SurfaceKind::Closed => &self.closed_surface,
+            SurfaceKind::Open => &self.open_surface,
+        };
+        surface.get_or_make(|| Surface::through(result, kind))
     }
 
     /// Returns the intersections of the facets and segments that the mesh was given last, in space.

@@ -17,8 +17,8 @@ pub struct Balls<'a, const D: usize> {
     pub view: View<'a, D>,
     centers: Vec<Center<D>>,
     radii: Vec<f64>,
-    /// The unit of areas of facets.
-    unit: Unit,
+    /// The unit of lengths and of areas of facets.
+    pub unit: Unit,
 }
 
 /// A facet as its simplex sees it.
@@ -50,12 +50,18 @@ impl<'a, const D: usize> Balls<'a, D> {
         self.radii[simplex as usize]
     }
 
+    /// Returns the distance from a vertex to a circumcentre, in the unit of lengths.
+    pub fn distance(&self, simplex: u32, vertex: u32) -> f64 {
+        let exponent = self.centers[simplex as usize].exponent - self.unit.exponent();
+        scaled(norm(&self.to_center(simplex, vertex)), exponent)
+    }
+
     /// Returns the unit vector from a vertex of a simplex to its circumcentre.
     pub fn direction(&self, simplex: u32, vertex: u32) -> [f64; D] {
         unit_vector(self.to_center(simplex, vertex))
     }
 
-    /// Returns the vector from a vertex of a simplex to its circumcentre, in a unit of the simplex.
+    /// Returns the vector from a vertex to the circumcentre of a simplex, in a unit of the simplex.
     fn to_center(&self, simplex: u32, vertex: u32) -> [f64; D] {
         let center = &self.centers[simplex as usize];
         let anchor = self.view.point(self.view.simplex(simplex)[center.anchor]);
@@ -88,6 +94,18 @@ impl<'a, const D: usize> Balls<'a, D> {
             neighbor => self.direction(neighbor, vertex),
         };
         dot(&here, &there).clamp(-1.0, 1.0)
+    }
+
+    /// Returns the depth of each facet, at the first of its two places in `neighbors`; 0 at the
+    /// other one. O(simplices).
+    pub fn depths(&self) -> AllocResult<Vec<f64>> {
+        let neighbors = &self.view.mesh.neighbors;
+        let mut depths = with_capacity(neighbors.len())?;
+        for (at, &neighbor) in neighbors.iter().enumerate() {
+            let (simplex, corner) = ((at / (D + 1)) as u32, at % (D + 1));
+            depths.push(if simplex < neighbor { self.depth(simplex, corner) } else { 0.0 });
+        }
+        Ok(depths)
     }
 
     /// Returns what it costs to have a facet on the surface: its area, in some unit, times a factor
@@ -133,7 +151,7 @@ fn unit_of<const D: usize>(view: View<'_, D>) -> Unit {
 }
 
 /// Returns what is left of a vector at right angles to unit vectors.
-fn orthogonal<const D: usize>(frame: &[[f64; D]], mut vector: [f64; D]) -> [f64; D] {
+pub fn orthogonal<const D: usize>(frame: &[[f64; D]], mut vector: [f64; D]) -> [f64; D] {
     for axis in frame.iter().chain(frame) {
         let along = dot(axis, &vector);
         vector = std::array::from_fn(|i| vector[i] - along * axis[i]);

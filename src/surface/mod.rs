@@ -1,81 +1,104 @@
-//! Surfaces through points: the facets between the simplices of a Delaunay triangulation that are
-//! inside and those that are outside (§10: "efficient surface reconstruction"; T. K. Dey, "Curve
-//! and Surface Reconstruction", 2007).
+//! Surfaces through points (§10: "efficient surface reconstruction"; T. K. Dey, "Curve and Surface
+//! Reconstruction", 2007): facets of a Delaunay triangulation, so they have no intersections, and
+//! their vertices are points that were given.
 //!
-//! The solid is a set of simplices, so its boundary is watertight, has no intersections, and its
-//! vertices are points that were given.
+//! A closed surface is the boundary of a set of simplices, hence watertight. An open one is of the
+//! facets about which their vertices agree.
 //!
 //! | | |
 //! |---|---|
 //! | `balls` | Delaunay balls, and how deeply they intersect |
 //! | `poles` | the two far ends of each Voronoi cell |
+//! | `umbrellas` | the facets of each vertex between its sides |
 //! | `forest`, `sides` | which simplices are inside |
-//! | `pieces` | pieces that no points support |
+//! | `pieces` | interfaces that no points support |
 //! | `pinches` | the boundary becomes a manifold |
 //! | `shells` | its connected parts |
+//! | `open`, `chosen`, `orient` | open surfaces: which facets, and their shells |
+//! | `sampling` | where points are too sparse |
 
 mod balls;
+mod chosen;
 mod forest;
+mod open;
+#[cfg(test)]
+mod open_tests;
+mod orient;
 mod pieces;
 mod pinches;
 mod poles;
+mod sampling;
 mod shells;
 mod sides;
 #[cfg(test)]
 mod tests;
+mod umbrellas;
 
 use crate::arrays::Part;
 use crate::error::{Error, Result, message};
-use crate::memory::{TryGrow, collected, copied, filled};
-use crate::mesh::{NONE, Triangulation};
+use crate::memory::{AllocResult, TryGrow, collected, copied, filled};
+use crate::mesh::{Inputs, NONE, Triangulation};
+use crate::validate::{Promises, Report, validate_surface};
 use balls::Balls;
 pub use shells::Shell;
 use shells::shells;
+use umbrellas::Umbrellas;
 
-/// A closed surface through vertices of a Delaunay triangulation; in the plane closed curves. It is
-/// a manifold, oriented, and has no intersections.
-#[derive(Clone, Debug)]
+/// Surfaces that points may be on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SurfaceKind {
+    /// Closed surfaces, the boundary of what is inside.
+    #[default]
+    Closed,
+    /// Surfaces that may end, or have one side alone.
+    Open,
+}
+
+/// A surface through vertices of a Delaunay triangulation; in the plane curves. It is a manifold,
+/// an open one with a boundary, and has no intersections.
+#[derive(Clone, Debug, Default)]
 pub struct Surface {
-    /// Simplex -> true if it is inside.
+    pub kind: SurfaceKind,
+    /// Simplex -> true if it is inside; all false for an open surface.
     pub is_inside: Vec<bool>,
-    /// Vertices of its facets, `facets x dim`, oriented outwards.
+    /// Vertices of its facets, `facets x dim`. Those of a closed shell are oriented outwards.
     pub facets: Vec<u32>,
     /// The connected parts.
     pub shells: Vec<Shell>,
     /// Vertices of the triangulation that are not on the surface, ascending: outliers, and points
     /// that noise moved off it.
     pub left_out: Vec<u32>,
+    /// Vertex -> the largest circumradius of its facets over the distance to the nearest pole of
+    /// their vertices, which stands for the local feature size; NaN for one that is left out.
+    pub sampling: Vec<f64>,
 }
 
 impl Surface {
     /// Finds the surface that goes through the vertices of a Delaunay triangulation in the plane or
-    /// in space. No facets are left if the vertices tell of no inside, as those of a plane.
+    /// in space. A closed one has no facets if the vertices tell of no inside, as those of a plane.
     /// O(simplices log simplices).
     ///
     /// # Errors
     /// `InvalidArgument` (another dimension), `Limit` (more than 2^30 simplices), `OutOfMemory`.
-    pub fn through(mesh: &Triangulation) -> Result<Self> {
-        let is_inside = match mesh.dim {
-            2 => solid::<2>(mesh)?,
-            3 => solid::<3>(mesh)?,
+    pub fn through(mesh: &Triangulation, kind: SurfaceKind) -> Result<Self> {
+        match mesh.dim {
+            2 => through::<2>(mesh, kind),
+            3 => through::<3>(mesh, kind),
             dim => {
                 let rule = "a surface goes through points in the plane or in space";
-                return Err(Error::invalid(message!("the mesh has {dim} dimensions; {rule}")));
+                Err(Error::invalid(message!("the mesh has {dim} dimensions; {rule}")))
             }
-        };
-        Self::of_solid(mesh, is_inside)
+        }
     }
 
     /// Returns the surface of a solid, for each simplex whether it is inside. It is closed and
-    /// oriented, and a manifold if it does not touch itself. O(simplices).
+    /// oriented, and a manifold if it does not touch itself. Its sampling is not filled in.
+    /// O(simplices).
     pub(crate) fn of_solid(mesh: &Triangulation, is_inside: Vec<bool>) -> Result<Self> {
         let facets = Part::of_chosen(mesh, copied(&is_inside)?)?.hull()?.vertices;
         let shells = shells(mesh.dim, mesh.vertex_count(), &facets)?;
-        let mut is_used = filled(mesh.vertex_count(), false)?;
-        facets.iter().for_each(|&vertex| is_used[vertex as usize] = true);
-        let others = (0..).zip(is_used).filter(|(_, is_used)| !is_used);
-        let left_out = collected(others.map(|(vertex, _)| vertex))?;
-        Ok(Self { is_inside, facets, shells, left_out })
+        let left_out = left_out(mesh, &facets)?;
+        Ok(Self { is_inside, facets, shells, left_out, ..Self::default() })
     }
 
     /// Returns the coordinates of the vertices of the surface, `vertices x dim`, and its facets
@@ -97,24 +120,78 @@ impl Surface {
         Ok((points, facets))
     }
 
-    /// Computes the volume inside (an area in the plane). O(simplices).
+    /// Computes the volume inside (an area in the plane); 0 for an open surface. O(simplices).
     ///
     /// # Errors
     /// `OutOfMemory`.
     pub fn volume(&self, mesh: &Triangulation) -> Result<f64> {
         Ok(Part::of_chosen(mesh, copied(&self.is_inside)?)?.volumes()?.iter().sum())
     }
+
+    /// Checks the triangulation and that this surface of it is what it is said to be: see
+    /// [`validate_surface`].
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn validate(&self, inputs: &Inputs, mesh: &Triangulation) -> Result<Report> {
+        let promises = Promises {
+            is_closed: self.kind == SurfaceKind::Closed,
+            is_oriented: self.shells.iter().all(|shell| !shell.is_one_sided),
+        };
+        validate_surface(inputs, mesh, &self.facets, &self.left_out, promises)
+    }
+
+    /// Returns the number of vertices whose facets are larger than the local feature size: the
+    /// surface there is a guess.
+    pub fn sparse(&self) -> usize {
+        self.sampling.iter().filter(|&&ratio| ratio > 1.0).count()
+    }
 }
 
-/// Returns for each simplex whether it is inside.
-fn solid<const D: usize>(mesh: &Triangulation) -> Result<Vec<bool>> {
+fn through<const D: usize>(mesh: &Triangulation, kind: SurfaceKind) -> Result<Surface> {
     let balls = Balls::<D>::new(mesh)?;
     let stars = Part::whole(mesh)?.vertex_simplices()?;
     let poles = poles::poles(&balls)?;
-    let mut is_inside = sides::sides(&balls, &poles)?;
-    pieces::settle(mesh, &stars, &poles, &mut is_inside)?;
-    if pinches::unpinch(&balls, &stars, &mut is_inside)? {
-        pieces::settle(mesh, &stars, &poles, &mut is_inside)?;
-    }
-    Ok(is_inside)
+    let depths = balls.depths()?;
+    let umbrellas = Umbrellas::new(balls.view, &depths, &stars, &poles)?;
+    let agreements = umbrellas.agreements()?;
+    let mut surface = match kind {
+        SurfaceKind::Open => {
+            let facets = open::facets(&balls, &stars, &depths, &umbrellas, &agreements)?;
+            opened(&balls, facets)?
+        }
+        SurfaceKind::Closed => {
+            drop(umbrellas);
+            let mut is_inside = sides::sides::<D>(mesh, &depths, &poles, &agreements)?;
+            pieces::settle(mesh, &stars, &poles, &agreements, &mut is_inside)?;
+            if pinches::unpinch(&balls, &stars, &mut is_inside)? {
+                pieces::settle(mesh, &stars, &poles, &agreements, &mut is_inside)?;
+            }
+            Surface::of_solid(mesh, is_inside)?
+        }
+    };
+    surface.sampling = sampling::ratios(&balls, &poles, &surface.facets)?;
+    Ok(surface)
+}
+
+/// Returns the open surface of facets that are not oriented yet.
+fn opened<const D: usize>(balls: &Balls<'_, D>, mut facets: Vec<u32>) -> AllocResult<Surface> {
+    let mesh = balls.view.mesh;
+    let shells = orient::oriented_shells(balls.view, balls.unit, &mut facets)?;
+    Ok(Surface {
+        kind: SurfaceKind::Open,
+        is_inside: filled(mesh.simplex_count(), false)?,
+        left_out: left_out(mesh, &facets)?,
+        facets,
+        shells,
+        sampling: Vec::new(),
+    })
+}
+
+/// Returns the vertices that no facet has, ascending.
+fn left_out(mesh: &Triangulation, facets: &[u32]) -> AllocResult<Vec<u32>> {
+    let mut is_used = filled(mesh.vertex_count(), false)?;
+    facets.iter().for_each(|&vertex| is_used[vertex as usize] = true);
+    let others = (0..).zip(is_used).filter(|(_, is_used)| !is_used);
+    collected(others.map(|(vertex, _)| vertex))
 }

@@ -1,6 +1,7 @@
-//! Pieces: simplices of one side that are connected across facets. A piece that its vertices do not
-//! support is no part of the solid, nor a void in it: what outliers enclose, and slivers.
+//! Pieces: simplices of one side that are connected across facets, and the interfaces between two of
+//! them. What no vertices support is no part of the surface: what outliers enclose, and slivers.
 
+use super::forest::SignedForest;
 use super::poles::Poles;
 use crate::memory::{AllocResult, Lists, TryGrow, collected, filled};
 use crate::mesh::{NONE, Triangulation};
@@ -12,27 +13,58 @@ struct Pieces {
     count: usize,
 }
 
+/// The facets between two pieces.
+#[derive(Clone, Copy, Default)]
+struct Interface {
+    pieces: [u32; 2],
+    /// Number of vertices of its facets.
+    vertices: u32,
+    /// Sum of the agreements of those vertices whose poles are in the two pieces.
+    support: f64,
+}
+
 /// The piece of all that is beyond the hull.
 const OUTERMOST: u32 = 0;
 
-/// Gives pieces that less than half of their vertices support to the side around them, until all
-/// are supported. A vertex supports the pieces of its poles, if these are on different sides.
+/// Least support of an interface a vertex. Below 0.4 layers between outliers stay, above 0.5 noisy
+/// surfaces go.
+pub const LEAST_SUPPORT: f64 = 0.45;
+
+/// Makes the pieces on both sides of an interface one where its vertices do not support it, until
+/// all that are left are supported. Of interfaces that contradict each other those of more vertices
+/// count. A vertex supports that between its poles, by its agreement.
 /// O(simplices) a sweep; a sweep makes one piece of several.
 pub fn settle(
     mesh: &Triangulation,
     stars: &Lists,
     poles: &[Poles],
+    agreements: &[f64],
     is_inside: &mut [bool],
 ) -> AllocResult<()> {
+    let mut last = usize::MAX;
     loop {
         let pieces = Pieces::new(mesh, is_inside)?;
-        let doubtful = pieces.doubtful(mesh, stars, poles, is_inside)?;
-        if doubtful.iter().all(|doubtful| !doubtful) {
+        let interfaces = pieces.interfaces(mesh, stars, poles, agreements)?;
+        // Interfaces that contradict others could turn the same pieces for ever.
+        if pieces.count >= last || interfaces.iter().all(Interface::is_supported) {
             return Ok(());
         }
-        for (is_inside, &piece) in is_inside.iter_mut().zip(&pieces.of) {
-            *is_inside ^= doubtful[piece as usize];
+        last = pieces.count;
+        let mut forest = SignedForest::new(pieces.count)?;
+        for interface in &interfaces {
+            let [here, there] = interface.pieces;
+            forest.join(here, there, interface.is_supported());
         }
+        let (_, outside) = forest.side(OUTERMOST);
+        for (is_inside, &piece) in is_inside.iter_mut().zip(&pieces.of) {
+            *is_inside = forest.side(piece).1 != outside;
+        }
+    }
+}
+
+impl Interface {
+    fn is_supported(&self) -> bool {
+        self.support >= LEAST_SUPPORT * f64::from(self.vertices)
     }
 }
 
@@ -92,57 +124,65 @@ impl Pieces {
         if simplex == NONE { OUTERMOST } else { self.of[simplex as usize] }
     }
 
-    /// Returns for each piece whether it goes to the other side in this sweep: it is not supported,
-    /// and none of its neighbours goes, which count before it if they have fewer vertices on their
-    /// boundary.
-    fn doubtful(
+    /// Returns the interfaces, those with the most vertices first.
+    fn interfaces(
         &self,
         mesh: &Triangulation,
         stars: &Lists,
         poles: &[Poles],
-        is_inside: &[bool],
-    ) -> AllocResult<Vec<bool>> {
-        let (mut vertices, mut supporters) = (filled(self.count, 0u32)?, filled(self.count, 0u32)?);
-        let mut met = Vec::new();
-        for (vertex, poles) in poles.iter().enumerate() {
-            let star = stars.of(vertex);
+        agreements: &[f64],
+    ) -> AllocResult<Vec<Interface>> {
+        // An entry for each vertex of each interface.
+        let (mut entries, mut met) = (Vec::new(), Vec::new());
+        for vertex in 0..poles.len() {
             met.clear();
-            met.try_extend(&[self.of(poles.first)])?;
-            star.iter().try_for_each(|&simplex| met.try_push(self.of(simplex)))?;
+            self.meet(mesh, stars.of(vertex), vertex as u32, &mut met)?;
             met.sort_unstable();
             met.dedup();
-            if met.len() > 1 {
-                met.iter().for_each(|&piece| vertices[piece as usize] += 1);
-            }
-            let is_in = |simplex: u32| simplex != NONE && is_inside[simplex as usize];
-            if poles.second != NONE && is_in(poles.first) != is_in(poles.second) {
-                supporters[self.of(poles.first) as usize] += 1;
-                supporters[self.of(poles.second) as usize] += 1;
+            let supported = self.ordered(poles[vertex].first, poles[vertex].second);
+            for &pieces in &met {
+                let is_supported = poles[vertex].second != NONE && pieces == supported;
+                let support = if is_supported { agreements[vertex] } else { 0.0 };
+                entries.try_push((pieces, vertex, support))?;
             }
         }
-        let mut doubtful = filled(self.count, false)?;
-        let mut stays = filled(self.count, false)?;
-        stays[OUTERMOST as usize] = true;
-        let neighbors = self.neighbors(mesh)?;
-        let mut order = collected(0..self.count as u32)?;
-        order.sort_unstable_by_key(|&piece| (vertices[piece as usize], piece));
-        for piece in order.into_iter().map(|piece| piece as usize) {
-            if !stays[piece] && 2 * supporters[piece] < vertices[piece] {
-                doubtful[piece] = true;
-                neighbors.of(piece).iter().for_each(|&other| stays[other as usize] = true);
-            }
-        }
-        Ok(doubtful)
+        entries.sort_unstable_by_key(|&(pieces, vertex, _)| (pieces, vertex));
+        let sum = |entries: &[([u32; 2], usize, f64)]| Interface {
+            pieces: entries[0].0,
+            vertices: entries.len() as u32,
+            support: entries.iter().map(|entry| entry.2).sum(),
+        };
+        let same = entries.chunk_by(|a, b| a.0 == b.0);
+        let mut interfaces = collected(same.map(sum))?;
+        interfaces.sort_unstable_by_key(|interface| {
+            (std::cmp::Reverse(interface.vertices), interface.pieces)
+        });
+        Ok(interfaces)
     }
 
-    /// Returns for each piece the pieces on the other side of its facets.
-    fn neighbors(&self, mesh: &Triangulation) -> AllocResult<Lists> {
-        let corners = mesh.dim + 1;
-        Lists::of_pairs(self.count, || {
-            let sides = mesh.neighbors.iter().enumerate();
-            let pieces = sides.map(|(at, &other)| (self.of[at / corners], self.of(other)));
-            // The piece beyond the hull has no simplices there that could name it.
-            pieces.filter(|(here, there)| here != there)
-        })
+    /// Adds the pieces on both sides of each facet that a vertex has, where they differ.
+    fn meet(
+        &self,
+        mesh: &Triangulation,
+        star: &[u32],
+        vertex: u32,
+        met: &mut Vec<[u32; 2]>,
+    ) -> AllocResult<()> {
+        for &simplex in star {
+            let vertices = mesh.simplex(simplex as usize);
+            for (corner, &other) in vertices.iter().zip(mesh.neighbors_of(simplex as usize)) {
+                let pieces = self.ordered(simplex, other);
+                if *corner != vertex && pieces[0] != pieces[1] {
+                    met.try_push(pieces)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Returns the pieces of two simplices, ascending.
+    fn ordered(&self, a: u32, b: u32) -> [u32; 2] {
+        let (a, b) = (self.of(a), self.of(b));
+        [a.min(b), a.max(b)]
     }
 }

@@ -2,13 +2,18 @@
 
 use crate::memory::{AllocResult, Sets, TryGrow, filled};
 
-/// A connected part of a surface: a closed curve in the plane, a closed surface in space.
+/// A connected part of a surface: a curve in the plane.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Shell {
     pub facets: u64,
     pub vertices: u64,
-    /// Number of handles: 0 for a sphere, 1 for a torus. 0 in the plane.
+    /// Number of handles: 0 for a sphere, 1 for a torus. 0 in the plane. Of a shell with one side
+    /// the number of crosscaps: 1 for a Moebius strip.
     pub genus: u64,
+    /// Number of closed curves at which it ends, in the plane of points; 0 if it is closed.
+    pub ends: u64,
+    /// True if it has one side alone, and its facets no common direction.
+    pub is_one_sided: bool,
 }
 
 /// Returns the shells of a closed manifold, in the order of their first vertices. `facets` has
@@ -60,11 +65,11 @@ mod tests {
         });
         let facets: Vec<u32> = tetrahedron.into_iter().chain(torus).collect();
         let expected = [
-            Shell { facets: 4, vertices: 4, genus: 0 },
-            Shell { facets: 18, vertices: 9, genus: 1 },
+            Shell { facets: 4, vertices: 4, genus: 0, ..Shell::default() },
+            Shell { facets: 18, vertices: 9, genus: 1, ..Shell::default() },
         ];
         assert_eq!(shells(3, 14, &facets).unwrap(), expected);
         let curves = shells(2, 6, &[0, 1, 1, 2, 2, 0, 3, 5, 5, 4, 4, 3]).unwrap();
-        assert_eq!(curves, [Shell { facets: 3, vertices: 3, genus: 0 }; 2]);
+        assert_eq!(curves, [Shell { facets: 3, vertices: 3, genus: 0, ..Shell::default() }; 2]);
     }
 }

@@ -2,18 +2,20 @@ use super::*;
 use crate::mesh::Mesh;
 use crate::numerics::SplitMix;
 use crate::options::{Algorithm, Options};
-use crate::validate::validate_surface;
 use std::f64::consts::{PI, TAU};
 
 /// Returns the surface through points, which the certificate has found to be one.
 fn surface_through(dim: usize, points: &[f64]) -> (Mesh, Surface) {
+    surface_of(dim, points, SurfaceKind::Closed)
+}
+
+pub fn surface_of(dim: usize, points: &[f64], kind: SurfaceKind) -> (Mesh, Surface) {
     let mut mesh = Mesh::new(dim, points.len() / dim, points, dim).unwrap();
     let options = Options { algorithm: Algorithm::Delaunay, ..Options::default() };
     mesh.run(&options, None).unwrap();
     let triangulation = mesh.result().unwrap();
-    let surface = Surface::through(triangulation).unwrap();
-    let Surface { facets, left_out, .. } = &surface;
-    let report = validate_surface(mesh.inputs(), triangulation, facets, left_out).unwrap();
+    let surface = Surface::through(triangulation, kind).unwrap();
+    let report = surface.validate(mesh.inputs(), triangulation).unwrap();
     assert_eq!((report.violations, &report.first), (0, &None));
     (mesh, surface)
 }
@@ -23,7 +25,7 @@ fn genera(surface: &Surface) -> Vec<u64> {
 }
 
 /// Returns the triangles of a surface with the least vertex first, sorted.
-fn turned(surface: &Surface) -> Vec<[u32; 3]> {
+pub fn turned(surface: &Surface) -> Vec<[u32; 3]> {
     let turn = |facet: &[u32]| {
         let least = (0..3).min_by_key(|&k| facet[k]).unwrap();
         [0, 1, 2].map(|k| facet[(least + k) % 3])
@@ -34,7 +36,7 @@ fn turned(surface: &Surface) -> Vec<[u32; 3]> {
 }
 
 /// Returns points spread evenly over a sphere (a Fibonacci lattice).
-fn sphere(count: usize, radius: f64) -> Vec<f64> {
+pub fn sphere(count: usize, radius: f64) -> Vec<f64> {
     let golden = PI * (3.0 - 5f64.sqrt());
     let point = |i: usize| {
         let z = 1.0 - (2 * i + 1) as f64 / count as f64;
@@ -63,7 +65,7 @@ fn torus(count: usize) -> Vec<f64> {
 }
 
 #[test]
-fn spheres_and_tori_have_their_topology() {
+pub fn spheres_and_tori_have_their_topology() {
     let (mesh, surface) = surface_through(3, &sphere(500, 1.0));
     assert_eq!((genera(&surface), surface.left_out.len()), (vec![0], 0));
     let volume = surface.volume(mesh.result().unwrap()).unwrap();
@@ -172,9 +174,11 @@ fn any_points_give_a_manifold() {
         };
         let points: Vec<f64> = (0..count).flat_map(point).collect();
         surface_through(3, &points);
+        surface_of(3, &points, SurfaceKind::Open);
         let plane: Vec<f64> = points.chunks(3).flat_map(|p| [p[0], p[1]]).collect();
         if trial % 5 != 2 {
             surface_through(2, &plane);
+            surface_of(2, &plane, SurfaceKind::Open);
         }
     }
 }
@@ -185,6 +189,6 @@ fn other_dimensions_are_refused() {
     let mut mesh = Mesh::new(4, 6, &points, 4).unwrap();
     let options = Options { algorithm: Algorithm::Delaunay, ..Options::default() };
     mesh.run(&options, None).unwrap();
-    let error = Surface::through(mesh.result().unwrap()).unwrap_err();
+    let error = Surface::through(mesh.result().unwrap(), SurfaceKind::Open).unwrap_err();
     assert!(error.message().contains("the mesh has 4 dimensions"), "{error:?}");
 }

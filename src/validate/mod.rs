@@ -46,7 +46,7 @@ mod winding;
 
 pub use boundary::Outline;
 pub use report::{Report, Violation, ViolationKind};
-pub use surface::validate_surface;
+pub use surface::{Promises, validate_surface};
 
 use crate::error::{Error, Result, message};
 use crate::memory::{AllocResult, TryGrow, collected};

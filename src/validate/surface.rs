@@ -1,9 +1,9 @@
-//! The certificate of a surface through points ([`crate::surface`]): closed curves in the plane,
-//! closed surfaces in space.
+//! The certificate of a surface through points ([`crate::surface`]): curves in the plane, surfaces
+//! in space.
 //!
 //! Its facets are faces of a triangulation whose levels 1 and 2 hold, so they are Delaunay, and two
 //! of them meet in a common face or not at all: the surface has no intersections. That it is
-//! watertight, oriented and a manifold is counted from the facets alone.
+//! a manifold, and watertight and oriented where it is to be, is counted from the facets alone.
 
 use super::report::{Findings, Report, Violation, ViolationKind};
 use super::{Case, check, report};
@@ -21,6 +21,15 @@ struct Ridge {
     facet: u32,
 }
 
+/// Promises of a surface that are checked beside those that all have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Promises {
+    /// Each ridge has two facets; otherwise one or two.
+    pub is_closed: bool,
+    /// Facets have their ridges in opposite directions.
+    pub is_oriented: bool,
+}
+
 /// Checks all levels of a triangulation in the plane or in space, and a surface in it:
 /// `facets` has `dim` vertices each, and `left_out` the vertices that it does not have.
 /// O(simplices log simplices).
@@ -32,10 +41,11 @@ pub fn validate_surface(
     triangulation: &Triangulation,
     facets: &[u32],
     left_out: &[u32],
+    promises: Promises,
 ) -> Result<Report> {
     match triangulation.dim {
-        2 => Ok(report(levels::<2>(inputs, triangulation, facets, left_out)?)),
-        3 => Ok(report(levels::<3>(inputs, triangulation, facets, left_out)?)),
+        2 => Ok(report(levels::<2>(inputs, triangulation, facets, left_out, promises)?)),
+        3 => Ok(report(levels::<3>(inputs, triangulation, facets, left_out, promises)?)),
         dim => {
             let message = message!("the mesh has {dim} dimensions; a surface is in 2D or 3D");
             Err(Error::invalid(message))
@@ -48,13 +58,14 @@ fn levels<const D: usize>(
     triangulation: &Triangulation,
     facets: &[u32],
     left_out: &[u32],
+    promises: Promises,
 ) -> AllocResult<Vec<Findings>> {
     let case = Case { inputs, outline: None, result: triangulation };
     let view = View::<D> { mesh: triangulation };
     let mut levels = check(case, view, 3)?;
     if levels.len() == 3 && check_ids::<D>(view, facets, &mut levels[0]) {
         check_vertices(view, facets, left_out, &mut levels[0])?;
-        check_ridges::<D>(facets, &mut levels[0])?;
+        check_ridges::<D>(facets, promises, &mut levels[0])?;
         check_faces(view, facets, &mut levels[1])?;
     }
     Ok(levels)
@@ -109,19 +120,28 @@ fn check_vertices<const D: usize>(
     Ok(())
 }
 
-/// Checks that each ridge is of two facets, which have it in opposite directions, and that the
-/// facets round each vertex are connected across ridges that have it.
-fn check_ridges<const D: usize>(facets: &[u32], findings: &mut Findings) -> AllocResult<()> {
+/// Checks that each ridge is of as many facets as is promised, and in opposite directions, and that
+/// the facets round each vertex are connected across ridges that have it.
+fn check_ridges<const D: usize>(
+    facets: &[u32],
+    promises: Promises,
+    findings: &mut Findings,
+) -> AllocResult<()> {
     let ridges = ridges::<D>(facets)?;
     // Corner k of facet f is k + D f.
     let mut corners = Sets::new(facets.len())?;
     for same in ridges.chunk_by(|a, b| a.vertices == b.vertices) {
         let ends = same[0].vertices;
-        let of_two = same.len() == 2 && same[0].is_reversed != same[1].is_reversed;
-        findings.check(of_two, || {
+        let is_promised = match same {
+            [_] => !promises.is_closed,
+            [a, b] => !promises.is_oriented || a.is_reversed != b.is_reversed,
+            _ => false,
+        };
+        findings.check(is_promised, || {
             let place = if D == 2 { message!("{}", ends[0]) } else { message!("{ends:?}") };
+            let one = if promises.is_closed { "" } else { "one or " };
             let message = message!(
-                "{} facets of the surface meet at {place}; it must be two that go on",
+                "{} facets of the surface meet at {place}; it must be {one}two that go on",
                 same.len()
             );
             Violation::new(ViolationKind::SurfaceRidge, message).vertex(ends[0] as usize)
@@ -225,8 +245,19 @@ mod tests {
     }
 
     fn first(mesh: &Mesh, facets: &[u32], left_out: &[u32]) -> Option<ViolationKind> {
+        let promises = Promises { is_closed: true, is_oriented: true };
+        first_of(mesh, facets, left_out, promises)
+    }
+
+    fn first_of(
+        mesh: &Mesh,
+        facets: &[u32],
+        left_out: &[u32],
+        promises: Promises,
+    ) -> Option<ViolationKind> {
         let triangulation = mesh.result().unwrap();
-        let report = validate_surface(mesh.inputs(), triangulation, facets, left_out).unwrap();
+        let report =
+            validate_surface(mesh.inputs(), triangulation, facets, left_out, promises).unwrap();
         assert_eq!(report.violations == 0, report.first.is_none());
         report.first.map(|first| first.kind)
     }
@@ -255,6 +286,25 @@ mod tests {
             f.extend([more[0], more[1], more[2], more[1], more[0], more[2]]);
         });
         assert_eq!(again, Some(ViolationKind::SurfaceRidge));
+    }
+
+    #[test]
+    fn open_surfaces_may_end_and_have_one_side() {
+        let (mesh, surface) = cube();
+        let open = Promises { is_closed: false, is_oriented: true };
+        let one_sided = Promises { is_oriented: false, ..open };
+        let mut facets = surface.facets;
+        facets.truncate(33);
+        assert_eq!(first_of(&mesh, &facets, &[8], open), None);
+        facets.swap(0, 1);
+        let turned = first_of(&mesh, &facets, &[8], open);
+        assert_eq!(turned, Some(ViolationKind::SurfaceRidge));
+        assert_eq!(first_of(&mesh, &facets, &[8], one_sided), None);
+        // A third facet at a ridge: the diagonal of a side from both sides of the cube.
+        let more = [facets[0], facets[1], 8];
+        facets.extend(more);
+        let third = first_of(&mesh, &facets, &[], one_sided);
+        assert_eq!(third, Some(ViolationKind::SurfaceRidge));
     }
 
     #[test]

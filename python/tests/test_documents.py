@@ -11,23 +11,25 @@ import pkgutil
 import netmesh
 import pytest
 import run_page
+from checkout import needed
 
-DOCS = pathlib.Path(__file__).parents[2] / "docs"
 MODULES = ["netmesh", *(f"netmesh.{m.name}" for m in pkgutil.iter_modules(netmesh.__path__))]
 
 
 @pytest.mark.parametrize("page, least", [("python.md", 40), ("domains.md", 8)])
 def test_the_page(page, least, tmp_path, monkeypatch):
+    found = needed("docs", page)
     monkeypatch.chdir(tmp_path)
-    failed, attempted = run_page.run(DOCS / page)
+    failed, attempted = run_page.run(found)
     assert failed == 0 and attempted >= least
 
 
 def test_the_page_of_other_packages(tmp_path, monkeypatch):
-    for needed in ("matplotlib", "meshio", "pyvista", "shapely", "skfem"):
-        pytest.importorskip(needed)
+    page = needed("docs", "python_packages.md")
+    for package in ("matplotlib", "meshio", "pyvista", "shapely", "skfem"):
+        pytest.importorskip(package)
     monkeypatch.chdir(tmp_path)
-    failed, attempted = run_page.run(DOCS / "python_packages.md")
+    failed, attempted = run_page.run(page)
     assert failed == 0 and attempted > 20
 
 
@@ -98,7 +100,7 @@ def test_the_stub_has_what_the_extension_has():
 
 
 def test_every_option_of_the_library_is_a_keyword():
-    page = (DOCS / "options.md").read_text()
+    page = needed("docs", "options.md").read_text()
     rows = [line.split("|")[1] for line in page.split("\n") if line.startswith("| `")]
     options = {row.split("`")[1] for row in rows}
     given = {"points", "segments", "markers", "holes", "regions", "size", "background", "progress"}
@@ -110,6 +112,6 @@ def test_every_option_of_the_library_is_a_keyword():
 def test_the_version_is_that_of_the_library():
     import importlib.metadata
 
-    text = (DOCS.parent / "Cargo.toml").read_text()
+    text = needed("Cargo.toml").read_text()
     version = text.split("[workspace.package]")[1].split('version = "')[1].split('"')[0]
     assert netmesh.__version__ == version == importlib.metadata.version("netmesh")

@@ -84,7 +84,9 @@ pub fn cubic<'py>(
     let mut out = found.readwrite();
     let (out, weights) = (out.as_slice_mut()?, weights.as_slice()?);
     let simplices = given_ids(simplices.as_slice()?);
-    stoppable(py, out.len(), |stop| cubics.evaluate(simplices, weights, Work { threads, stop }, out))?;
+    stoppable(py, out.len(), |stop| {
+        cubics.evaluate(simplices, weights, Work { threads, stop }, out)
+    })?;
     Ok(found)
 }
 

@@ -141,6 +141,9 @@ def long_queries(random):
     yield "nearest", lambda: m.nearest(x)
     # All inputs are equally near.
     yield "nearest of a sphere", lambda: ball.nearest(np.zeros((300_000, 3)), among="inputs")
+    # One point may take long, too.
+    far = netmesh.NearestNDInterpolator(sphere(random, 3_000_000), np.zeros(3_000_000))
+    yield "nearest of a large sphere", lambda: far([[0, 0, 0]])
     f = netmesh.LinearNDInterpolator(m.points, values)
     yield "LinearNDInterpolator", lambda: f(x)
     yield "find_simplex", lambda: f.tri.find_simplex(x)

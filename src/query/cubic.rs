@@ -11,7 +11,7 @@
 
 use super::barycentric::coordinates_in;
 use super::interpolate::Values;
-use super::threads::{Work, on_threads, piece, threads};
+use super::threads::{Work, on_threads};
 use super::triangles::Triangles;
 use crate::error::{Error, Result, message};
 use crate::mesh::NONE;
@@ -43,8 +43,8 @@ impl Cubics<'_> {
     ) -> Result<()> {
         let work = work.into();
         self.check(simplices, weights, out)?;
-        let threads = threads(work.threads);
-        let (piece, components) = (piece(simplices.len(), threads), self.values.components);
+        let (threads, piece) = work.shares(simplices.len());
+        let components = self.values.components;
         let places = simplices.chunks(piece).zip(weights.chunks(3 * piece));
         let pieces = places.zip(out.chunks_mut(components * piece));
         on_threads(threads, pieces, |_: &mut (), ((simplices, weights), out)| {

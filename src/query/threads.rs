@@ -35,17 +35,21 @@ impl Work<'_> {
             false => Ok(()),
         }
     }
+
+    /// Returns the number of threads for `count` points, and of points that make a piece of work.
+    /// No answer depends on them.
+    pub(super) fn shares(&self, count: usize) -> (usize, usize) {
+        // How many cores there are is a question to the system, which one piece need not ask.
+        let threads = if count <= SMALLEST { 1 } else { threads(self.threads) };
+        let piece = (count / (4 * threads)).clamp(SMALLEST, LARGEST);
+        (threads.min(count.div_ceil(piece).max(1)), piece)
+    }
 }
 
 /// Returns the number of threads to use: what the caller allows (0: all cores), and no more than
 /// there are cores.
 pub(crate) fn threads(wanted: u32) -> usize {
     usable(wanted)
-}
-
-/// Returns the number of points, of `count`, that make a piece of work. No answer depends on it.
-pub(super) fn piece(count: usize, threads: usize) -> usize {
-    (count / (4 * threads)).clamp(SMALLEST, LARGEST)
 }
 
 /// Does each of the pieces, in any order, with scratch memory of each thread.
@@ -73,6 +77,21 @@ pub(crate) fn on_threads<W: Send, S: Default>(
 mod tests {
     use super::*;
     use crate::memory::AllocError;
+
+    #[test]
+    fn no_thread_is_without_a_piece() {
+        let shares = |threads, count| Work::from(threads).shares(count);
+        assert_eq!([0, 1, SMALLEST].map(|count| shares(0, count)), [(1, SMALLEST); 3]);
+        for wanted in [0, 1, 2, 5] {
+            for count in [SMALLEST + 1, 10_000, 1_000_000] {
+                let (threads, piece) = shares(wanted, count);
+                assert!((1..=count.div_ceil(piece)).contains(&threads), "{wanted} {count}");
+                assert!(threads <= usable(wanted) && (SMALLEST..=LARGEST).contains(&piece));
+            }
+        }
+        let many = shares(usable(0) as u32, 1 << 30);
+        assert_eq!(many, (usable(0), LARGEST));
+    }
 
     #[test]
     fn every_piece_is_done_once() {

@@ -40,10 +40,14 @@ impl Work<'_> {
     /// No answer depends on them.
     pub(super) fn shares(&self, count: usize) -> (usize, usize) {
         // How many cores there are is a question to the system, which one piece need not ask.
-        let threads = if count <= SMALLEST { 1 } else { threads(self.threads) };
-        let piece = (count / (4 * threads)).clamp(SMALLEST, LARGEST);
-        (threads.min(count.div_ceil(piece).max(1)), piece)
+        split(count, if count <= SMALLEST { 1 } else { threads(self.threads) })
     }
+}
+
+/// Returns how many of the threads have a piece of work on `count` points, and the points of one.
+fn split(count: usize, threads: usize) -> (usize, usize) {
+    let piece = (count / (4 * threads)).clamp(SMALLEST, LARGEST);
+    (threads.min(count.div_ceil(piece).max(1)), piece)
 }
 
 /// Returns the number of threads to use: what the caller allows (0: all cores), and no more than
@@ -82,15 +86,16 @@ mod tests {
     fn no_thread_is_without_a_piece() {
         let shares = |threads, count| Work::from(threads).shares(count);
         assert_eq!([0, 1, SMALLEST].map(|count| shares(0, count)), [(1, SMALLEST); 3]);
-        for wanted in [0, 1, 2, 5] {
-            for count in [SMALLEST + 1, 10_000, 1_000_000] {
-                let (threads, piece) = shares(wanted, count);
-                assert!((1..=count.div_ceil(piece)).contains(&threads), "{wanted} {count}");
-                assert!(threads <= usable(wanted) && (SMALLEST..=LARGEST).contains(&piece));
+        assert_eq!(shares(0, 1 << 30), (usable(0), LARGEST));
+        assert_eq!(split(2 * SMALLEST + 1, 5), (3, SMALLEST));
+        assert_eq!(split(20 * SMALLEST, 5), (5, SMALLEST));
+        for threads in [1, 2, 5, 64] {
+            for count in [1, SMALLEST + 1, 10_000, 1_000_000] {
+                let (used, piece) = split(count, threads);
+                assert!((1..=threads.min(count.div_ceil(piece))).contains(&used), "{count}");
+                assert!((SMALLEST..=LARGEST).contains(&piece), "{piece}");
             }
         }
-        let many = shares(usable(0) as u32, 1 << 30);
-        assert_eq!(many, (usable(0), LARGEST));
     }
 
     #[test]

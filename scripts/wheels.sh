@@ -17,17 +17,17 @@ cd "$(dirname "$0")/.."
 
 readonly TOOLS=("maturin==1.16.0" "ziglang==0.17.1") TAG=manylinux2014
 readonly TARGETS=(x86_64-unknown-linux-gnu aarch64-unknown-linux-gnu)
-place="$PWD/target/wheel_tools" fresh="$PWD/target/wheel_tools/fresh"
+place="$PWD/target/wheel_tools" tools="$PWD/target/wheel_tools/tools" fresh="$PWD/target/wheel_tools/fresh"
 
 make_tools() {
-  python3 -m venv --clear "$place"
-  "$place/bin/pip" install --quiet --disable-pip-version-check --only-binary :all: "${TOOLS[@]}"
+  python3 -m venv --clear "$tools"
+  "$tools/bin/pip" install --quiet --disable-pip-version-check --only-binary :all: "${TOOLS[@]}"
 }
 
 # make_source FOLDER: the source distribution, unpacked, too.
 make_source() {
   make_tools
-  "$place/bin/maturin" sdist --out "$1"
+  "$tools/bin/maturin" sdist --out "$1"
   python3 scripts/unpack.py "$1"/netmesh-*.tar.gz "$place/source"
 }
 
@@ -36,7 +36,7 @@ make_wheel() {
   if ! rustc --print target-libdir --target "$1" | xargs test -d; then
     rustup target add "$1"
   fi
-  PATH="$place/bin:$PATH" CARGO_TARGET_DIR="$PWD/target/wheel_builds" \
+  PATH="$tools/bin:$PATH" CARGO_TARGET_DIR="$PWD/target/wheel_builds" \
     maturin build --manifest-path "$place/source/python/Cargo.toml" --release --strip --zig \
     --target "$1" --compatibility "$TAG" --out "$2"
 }

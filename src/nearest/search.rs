@@ -20,7 +20,7 @@ const LARGEST_SQUARE: f64 = 1e250;
 /// Largest difference of lengths that rounding to subnormal numbers may make.
 const TINY: f64 = 1e-322;
 
-/// What ends a call before it is done; the default never does.
+/// Switch that ends a call before it is done; the default is never set.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Stop<'a>(Cause<'a>);
 

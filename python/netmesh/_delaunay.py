@@ -12,6 +12,7 @@ from ._arrays import contiguous, query_points, tolerance
 from ._errors import NonFiniteError
 from ._incremental import Incremental
 from ._mesh import Mesh
+from ._scaling import scaled, unscaled
 
 
 class Delaunay(Incremental):
@@ -154,40 +155,60 @@ class Delaunay(Incremental):
         return np.cumsum(counts, dtype=np.int32), self._first_inputs[neighbors]
 
     @functools.cached_property
+    def _scaled(self) -> tuple[NDArray[np.float64], int]:
+        """Vertices over a power of two, whose squares are doubles, and its exponent."""
+        return scaled(self.mesh.points)
+
+    @functools.cached_property
+    def _inverse_edges(self) -> NDArray[np.float64]:
+        """Inverses of the edges to the last corner of each simplex, of the scaled vertices."""
+        corners = self._scaled[0][self.mesh.simplices]
+        return _inverses(np.swapaxes(corners[:, :-1] - corners[:, -1:], 1, 2))
+
+    @functools.cached_property
     def transform(self) -> NDArray[np.float64]:
-        corners = self.mesh.points[self.mesh.simplices]
-        last = corners[:, -1]
-        edges = np.swapaxes(corners[:, :-1] - last[:, None], 1, 2)
         transform = np.empty((self.nsimplex, self.ndim + 1, self.ndim))
-        transform[:, :-1] = _inverses(edges)
+        transform[:, :-1] = unscaled(self._inverse_edges, -self._scaled[1])
+        last = self.mesh.points[self.mesh.simplices[:, -1]]
         transform[:, -1] = np.where(np.isnan(transform[:, 0, :1]), np.nan, last)
         return transform
 
     @functools.cached_property
     def _paraboloid(self) -> tuple[float, float]:
-        """Scale and shift that bring squares to the range of the coordinates, as Qhull's Qbb does."""
-        squares = np.einsum("ij,ij->i", self.points, self.points)
+        """Scale and shift that bring squares to the range of the scaled coordinates, as Qhull's Qbb does."""
+        points = self._scaled[0]
+        squares = np.einsum("ij,ij->i", points, points)
         # Qhull's point at infinity, which its Qz adds, is lifted a tenth higher than the others.
         low, high = squares.min(), 1.1 * squares.max()
-        scale = np.abs(self.points).max() / (high - low)
+        scale = np.abs(points).max() / (high - low)
         return float(scale), float(-low * scale)
 
     @property
     def paraboloid_scale(self) -> float:
-        return self._paraboloid[0]
+        return float(unscaled(self._paraboloid[0], -self._scaled[1]))
 
     @property
     def paraboloid_shift(self) -> float:
-        return self._paraboloid[1]
+        return float(unscaled(self._paraboloid[1], self._scaled[1]))
+
+    @functools.cached_property
+    def _scaled_equations(self) -> NDArray[np.float64]:
+        scale, shift = self._paraboloid
+        corners = self._scaled[0][self.mesh.simplices]
+        last = corners[:, -1]
+        # Squares of edges' ends differ by this product, of which less is lost than of the difference.
+        products = np.einsum("sjk,sjk->sj", corners[:, :-1] - last[:, None], corners[:, :-1] + last[:, None])
+        gradients = scale * np.einsum("sj,sjk->sk", products, self._inverse_edges)
+        heights = scale * np.einsum("sk,sk->s", last, last) + shift
+        offsets = heights - np.einsum("sk,sk->s", gradients, last)
+        equations = np.column_stack([gradients, np.full(self.nsimplex, -1.0), offsets])
+        return equations / np.linalg.norm(equations[:, :-1], axis=1, keepdims=True)
 
     @functools.cached_property
     def equations(self) -> NDArray[np.float64]:
-        heights = self.lift_points(self.mesh.points)[:, -1][self.mesh.simplices]
-        slopes = heights[:, :-1] - heights[:, -1:]
-        gradients = np.einsum("sj,sjk->sk", slopes, self.transform[:, :-1])
-        offsets = heights[:, -1] - np.einsum("sk,sk->s", gradients, self.transform[:, -1])
-        equations = np.column_stack([gradients, np.full(self.nsimplex, -1.0), offsets])
-        return equations / np.linalg.norm(equations[:, :-1], axis=1, keepdims=True)
+        equations = self._scaled_equations.copy()
+        equations[:, -1] = unscaled(equations[:, -1], self._scaled[1])
+        return equations
 
     def lift_points(self, x: Any) -> NDArray[np.float64]:
         """Lift points to the paraboloid: shape (..., ndim) to (..., ndim + 1).
@@ -199,7 +220,14 @@ class Delaunay(Incremental):
         (1, 3)
         """
         x = query_points(x, self.ndim, "x")
-        heights = self.paraboloid_scale * np.einsum("...i,...i->...", x, x) + self.paraboloid_shift
+        heights = unscaled(self._lifted(x)[..., -1:], self._scaled[1])
+        return np.concatenate([x, heights], axis=-1)
+
+    def _lifted(self, x: np.ndarray) -> NDArray[np.float64]:
+        """Return the lifted points, all of it scaled."""
+        x = unscaled(x, -self._scaled[1])
+        scale, shift = self._paraboloid
+        heights = scale * np.einsum("...i,...i->...", x, x) + shift
         return np.concatenate([x, heights[..., None]], axis=-1)
 
     def plane_distance(self, xi: Any) -> NDArray[np.float64]:
@@ -214,7 +242,8 @@ class Delaunay(Incremental):
         array([[ True],
                [False]])
         """
-        return self.lift_points(xi) @ self.equations[:, :-1].T + self.equations[:, -1]
+        lifted, equations = self._lifted(query_points(xi, self.ndim, "xi")), self._scaled_equations
+        return unscaled(lifted @ equations[:, :-1].T + equations[:, -1], self._scaled[1])
 
     def find_simplex(
         self, xi: Any, bruteforce: bool = False, tol: Optional[float] = None
@@ -278,7 +307,8 @@ def _inverses(matrices: np.ndarray) -> np.ndarray:
     try:
         inverses = np.linalg.inv(matrices)
     except np.linalg.LinAlgError:
-        singular = np.linalg.det(matrices) == 0
+        # Determinants may be too small for doubles.
+        singular = np.linalg.slogdet(matrices)[0] == 0
         inverses = np.full_like(matrices, np.nan)
         inverses[~singular] = np.linalg.inv(matrices[~singular])
     norms = [np.abs(of).sum(axis=1).max(axis=1) for of in (matrices, inverses)]

@@ -333,7 +333,7 @@ class Mesh(Vertices, Exports, Features, Queries, Measures):
         asked = options
         if options.get("size") is not None:
             size = size_of(options["size"], rows)
-            if standing is not None and np.shape(size) == standing.shape:
+            if standing is not None and isinstance(size, np.ndarray) and size.shape == standing.shape:
                 size = least_of_merged(size, standing)
             asked = {**options, "size": size}
         made._core = Core(rows, reporter(progress), asked, boundary)
@@ -367,7 +367,7 @@ class Mesh(Vertices, Exports, Features, Queries, Measures):
         """Options by name, as the run had them: every default filled in, and no 'auto'.
 
         In 2D with the criterion 'radius_edge', which segments take, `min_angle` and `quality_bound` say
-        the same. `size` and `background` are not among them.
+        the same. `size`, `background` and `cutoff` are not among them.
 
         Examples
         --------

@@ -115,9 +115,10 @@ class NearestNDInterpolator:
                 raise ArgumentTypeError(f"{name} is no option of a query; these are: {known}")
         if given.get("p", 2) != 2:
             raise InvalidArgumentError(f"p is {given['p']}; only 2, the Euclidean distance, is supported")
-        bound = number(given.get("distance_upper_bound", np.inf), "distance_upper_bound")
         # No distance is too large without a bound.
-        bound = np.nextafter(np.inf, 0) if bound == np.inf else bound
+        bound = np.finfo(float).max
+        if "distance_upper_bound" in given:
+            bound = min(number(given["distance_upper_bound"], "distance_upper_bound"), bound)
         workers = given.get("workers", None)
         if workers is None:
             return bound, self.threads

@@ -12,7 +12,7 @@ use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
 use std::time::Duration;
@@ -139,9 +139,33 @@ pub fn detached_on_file<T: Send>(
 /// Time that a signal may have to wait.
 const PATIENCE: Duration = Duration::from_millis(30);
 
-/// Does work that a signal ends: a thread of its own does it, and it must end soon after the stop
-/// that it is given is set. Otherwise as [`detached`].
+/// The most results that [`stoppable`] computes on the thread that asks. A thread takes longer to
+/// start than a hundred points to locate.
+const FEW: usize = 256;
+
+/// Questions after which work for [`FEW`] results goes on elsewhere: some milliseconds.
+const QUESTIONS: u32 = 1 << 13;
+
+/// Does work for `results` that a signal ends: a thread of its own does it, and it must end soon
+/// after the stop that it is given is set. Where there are few and they take little work, the
+/// thread that asks does it. Otherwise as [`detached`].
 pub fn stoppable<T: Send>(
+    py: Python<'_>,
+    results: usize,
+    mut work: impl FnMut(Stop<'_>) -> Result<T> + Send,
+) -> PyResult<T> {
+    if results <= FEW {
+        let left = AtomicU32::new(QUESTIONS);
+        let done = unlocked(py, || work(Stop::after(&left)));
+        if left.into_inner() > 0 {
+            return done.map_err(|error| exception(py, &error));
+        }
+    }
+    stoppable_elsewhere(py, work)
+}
+
+/// Does work as [`stoppable`] does, on a thread of its own.
+fn stoppable_elsewhere<T: Send>(
     py: Python<'_>,
     work: impl FnOnce(Stop<'_>) -> Result<T> + Send,
 ) -> PyResult<T> {

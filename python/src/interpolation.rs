@@ -55,7 +55,7 @@ pub fn estimate_gradients<'py>(
     let mut out = found.readwrite();
     let out = out.as_slice_mut()?;
     let convergence = Convergence { tolerance: tol, max_iterations };
-    let missed = stoppable(py, |stop| {
+    let missed = stoppable(py, out.len(), |stop| {
         let work = Work { threads: 1, stop };
         query::estimate_gradients(triangles, given, convergence, work, out)
     })?;
@@ -84,7 +84,9 @@ pub fn cubic<'py>(
     let mut out = found.readwrite();
     let (out, weights) = (out.as_slice_mut()?, weights.as_slice()?);
     let simplices = given_ids(simplices.as_slice()?);
-    stoppable(py, |stop| cubics.evaluate(simplices, weights, Work { threads, stop }, out))?;
+    stoppable(py, out.len(), |stop| {
+        cubics.evaluate(simplices, weights, Work { threads, stop }, out)
+    })?;
     Ok(found)
 }
 
@@ -100,7 +102,7 @@ pub fn representatives<'py>(
     let found = empty(py, [count])?;
     let mut out = found.readwrite();
     let (points, out) = (points.as_slice()?, unsigned(out.as_slice_mut()?));
-    stoppable(py, |stop| netmesh::representatives(dim, points, cutoff, stop, out))?;
+    stoppable(py, count, |stop| netmesh::representatives(dim, points, cutoff, stop, out))?;
     Ok(found)
 }
 
@@ -131,7 +133,7 @@ impl PointIndexCore {
         let (mut ids, mut lengths) = (found.readwrite(), distances.readwrite());
         let (ids, lengths) = (unsigned(ids.as_slice_mut()?), lengths.as_slice_mut()?);
         let points = points.as_slice()?;
-        stoppable(py, |stop| self.0.nearest(points, Work { threads, stop }, ids, lengths))?;
+        stoppable(py, count, |stop| self.0.nearest(points, Work { threads, stop }, ids, lengths))?;
         Ok((found, distances))
     }
 }

@@ -59,7 +59,7 @@ impl Core {
         let mut out = found.readwrite();
         let (points, out) = (points.as_slice()?, unsigned(out.as_slice_mut()?));
         let made = &self.made;
-        stoppable(py, |stop| {
+        stoppable(py, count, |stop| {
             let work = Work { threads, stop };
             match selection {
                 None => index.locate(made.triangulation(), points, work, out),
@@ -86,7 +86,7 @@ impl Core {
         let (mut ids, mut lengths) = (found.readwrite(), distances.readwrite());
         let (ids, lengths) = (unsigned(ids.as_slice_mut()?), lengths.as_slice_mut()?);
         let (points, made) = (points.as_slice()?, &self.made);
-        stoppable(py, |stop| {
+        stoppable(py, count, |stop| {
             let work = Work { threads, stop };
             match among {
                 Among::Inputs => {
@@ -134,7 +134,7 @@ impl Core {
         let (points, out) = (points.as_slice()?, out.as_slice_mut()?);
         let values = Values { components, values: values.as_slice()? };
         let mesh = self.triangulation();
-        stoppable(py, |stop| {
+        stoppable(py, out.len(), |stop| {
             index.interpolate(mesh, method, values, points, Work { threads, stop }, out)
         })?;
         Ok(found)
@@ -157,7 +157,7 @@ impl Core {
         let (mut ids, mut shares) = (found.readwrite(), weights.readwrite());
         let (ids, shares) = (unsigned(ids.as_slice_mut()?), shares.as_slice_mut()?);
         let (points, made) = (points.as_slice()?, &self.made);
-        stoppable(py, |stop| {
+        stoppable(py, count, |stop| {
             let work = Work { threads, stop };
             index.weigh(mesh, points, work, ids, shares)?;
             if tolerance == 0.0 || !ids.contains(&netmesh::NONE) {

@@ -2,12 +2,16 @@
 
 import fnmatch
 import os
+import sys
 
 # The machine has cores for one thing at a time.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import numpy as np
 import pytest
+
+# Tests of the repository look at what is in its folders.
+sys.dont_write_bytecode = True
 
 
 @pytest.fixture

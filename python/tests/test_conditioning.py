@@ -1,18 +1,18 @@
 """The program that measures conditioning, on matrices that are known."""
 
 import importlib.util
-import pathlib
 
 import netmesh
 import numpy as np
 import pytest
+from checkout import needed
 
 pytest.importorskip("scipy")
 
 
 @pytest.fixture(scope="module")
 def conditioning():
-    path = pathlib.Path(__file__).parents[1] / "benchmarks" / "conditioning.py"
+    path = needed("python", "benchmarks", "conditioning.py")
     spec = importlib.util.spec_from_file_location("conditioning", path)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)

@@ -5,7 +5,8 @@ import pickle
 import netmesh
 import numpy as np
 import pytest
-import scipy.spatial
+
+scipy = pytest.importorskip("scipy")
 
 
 def pairs_nearer(points, cutoff):

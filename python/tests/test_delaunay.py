@@ -3,7 +3,8 @@
 import netmesh
 import numpy as np
 import pytest
-import scipy.spatial
+
+scipy = pytest.importorskip("scipy")
 
 
 def sets(simplices):

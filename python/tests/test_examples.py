@@ -5,20 +5,23 @@ import importlib.util
 import signal
 import subprocess
 import sys
-from pathlib import Path
 
 import netmesh
 import numpy as np
 import pytest
+from checkout import needed
 
-EXAMPLES = Path(__file__).parents[2] / "examples" / "python"
+
+def path_of(name):
+    return needed("examples", "python", f"{name}.py")
 
 
-def example(name, *needed):
+def example(name, *packages):
     """Returns an example as a module; what it needs is there or the test is skipped."""
-    for package in needed:
+    path = path_of(name)
+    for package in packages:
         pytest.importorskip(package)
-    spec = importlib.util.spec_from_file_location(name, EXAMPLES / f"{name}.py")
+    spec = importlib.util.spec_from_file_location(name, path)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
@@ -61,7 +64,7 @@ def test_a_square_cools_as_the_closed_form_says():
 
 
 def test_many_points_tell_their_progress_and_stop_on_a_signal(tmp_path):
-    program = [sys.executable, "-u", str(EXAMPLES / "many_points.py")]
+    program = [sys.executable, "-u", str(path_of("many_points"))]
     done = subprocess.run([*program, "2000"], capture_output=True, text=True, check=True)
     assert done.stdout.startswith("<netmesh.Mesh: dim 3") and "100.0%" in done.stderr
     # A shell in the background has its programs ignore the signal.
@@ -77,7 +80,7 @@ def test_many_points_tell_their_progress_and_stop_on_a_signal(tmp_path):
 
 
 def test_a_script_of_scipys_has_the_same_results_with_its_imports_changed():
-    text = (EXAMPLES / "scipy_script.py").read_text()
+    text = path_of("scipy_script").read_text()
     theirs = text.replace("\nfrom netmesh import (\n", "\nfrom scipy.interpolate import (\n")
     theirs = theirs.replace("\nfrom netmesh import ConvexHull", "\nfrom scipy.spatial import ConvexHull")
     changed = [(a, b) for a, b in zip(text.splitlines(), theirs.splitlines()) if a != b]

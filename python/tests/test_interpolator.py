@@ -3,8 +3,8 @@
 import netmesh
 import numpy as np
 import pytest
-import scipy.interpolate
-import scipy.spatial
+
+scipy = pytest.importorskip("scipy")
 
 
 @pytest.mark.parametrize("n, dim", [(3000, 2), (1000, 3), (200, 4)])

@@ -441,7 +441,7 @@ def test_auto_becomes_what_is_asked_for():
             parameters = netmesh.mesh(points, **options).parameters
             assert (parameters["output"], parameters["extent"]) == expected, options
     options = set(netmesh.mesh.__kwdefaults__) - {"markers", "facet_markers", "regions", "holes", "size"}
-    assert set(parameters) == options - {"background", "progress"}
+    assert set(parameters) == options - {"background", "progress", "cutoff"}
     for asked in ({"size": 0.2}, {"size": np.full(len(points), 0.2)}):
         message = "^size is given; it does not go with output='hierarchical'$"
         with pytest.raises(netmesh.InvalidArgumentError, match=message):

@@ -1,22 +1,20 @@
 """The pictures of the experiments are drawn from the tables that are shipped."""
 
-import pathlib
 import re
 import subprocess
 import sys
 import xml.dom.minidom
 
 import pytest
-
-ROOT = pathlib.Path(__file__).parents[2]
-REPORTS = ROOT / "docs" / "reports"
+from checkout import needed
 
 
 def test_every_picture_of_the_experiments_is_drawn_from_its_table(tmp_path):
+    program, reports = needed("bench", "plots", "draw.py"), needed("docs", "reports")
     pytest.importorskip("matplotlib")
-    command = [sys.executable, ROOT / "bench" / "plots" / "draw.py", "experiments", REPORTS, tmp_path]
+    command = [sys.executable, program, "experiments", reports, tmp_path]
     subprocess.run(command, check=True)
-    shown = re.findall(r"!\[.*?\]\(\./(.*?)\)", (REPORTS / "experiments.md").read_text(encoding="utf-8"))
+    shown = re.findall(r"!\[.*?\]\(\./(.*?)\)", (reports / "experiments.md").read_text(encoding="utf-8"))
     assert len(shown) == 12
     assert sorted(shown) == sorted(path.name for path in tmp_path.glob("*.svg"))
     for path in tmp_path.glob("*.svg"):

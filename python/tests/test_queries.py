@@ -3,7 +3,8 @@
 import netmesh
 import numpy as np
 import pytest
-import scipy.spatial
+
+scipy = pytest.importorskip("scipy")
 
 
 @pytest.mark.parametrize("dim", [2, 3, 4])
@@ -70,3 +71,22 @@ def test_what_is_refused(random):
         for ask in (m.locate, m.nearest):
             with pytest.raises(ValueError, match=f"^threads is {threads}; it must be 0 to"):
                 ask([0, 0], threads=threads)
+
+
+@pytest.mark.parametrize("dim", [2, 3])
+def test_few_points_have_the_answers_that_many_have(dim, random):
+    """Some are answered by the thread that asks, more by another one."""
+    points, x = random.random((400, dim)), 1.2 * random.random((300, dim)) - 0.1
+    m, values = netmesh.mesh(points), random.random((400, 2))
+    at_vertices = m.extend_values(values)
+    linear, nearest = netmesh.LinearNDInterpolator(points, values), netmesh.NearestNDInterpolator(points, values)
+    asked = [m.locate, m.part("hull").locate, lambda x: m.nearest(x)[0], lambda x: m.nearest(x, among="inputs")[1]]
+    asked += [lambda x: m.interpolate(at_vertices, x), lambda x: m.interpolate(at_vertices, x, interpolation="sibson")]
+    asked += [linear, nearest, lambda x: linear.tri.find_simplex(x, tol=0.01)]
+    if dim == 2:
+        asked += [netmesh.CloughTocher2DInterpolator(points, values)]
+    for ask in asked:
+        whole = ask(x)
+        for count in (1, 128, 256, 257):
+            parts = [ask(x[at : at + count]) for at in range(0, len(x), count)]
+            assert np.array_equal(np.concatenate(parts), whole, equal_nan=True)

@@ -1,6 +1,5 @@
 """Progress, signals, other threads, memory."""
 
-import pathlib
 import signal
 import subprocess
 import sys
@@ -10,7 +9,7 @@ import time
 import netmesh
 import numpy as np
 import pytest
-import tqdm
+from checkout import needed
 
 
 def test_progress_is_told(random):
@@ -52,6 +51,7 @@ def test_an_exception_stops_a_run_and_comes_out(random):
 
 
 def test_a_bar_of_tqdm_moves_to_its_end(random):
+    tqdm = pytest.importorskip("tqdm")
     for total in (None, 1, 100):
         with tqdm.tqdm(total=total, disable=False, file=open("/dev/null", "w")) as bar:
             netmesh.mesh(random.random((3000, 2)), progress=bar)
@@ -141,6 +141,9 @@ def long_queries(random):
     yield "nearest", lambda: m.nearest(x)
     # All inputs are equally near.
     yield "nearest of a sphere", lambda: ball.nearest(np.zeros((300_000, 3)), among="inputs")
+    # One point may take long, too.
+    far = netmesh.NearestNDInterpolator(sphere(random, 3_000_000), np.zeros(3_000_000))
+    yield "nearest of a large sphere", lambda: far([[0, 0, 0]])
     f = netmesh.LinearNDInterpolator(m.points, values)
     yield "LinearNDInterpolator", lambda: f(x)
     yield "find_simplex", lambda: f.tri.find_simplex(x)
@@ -248,7 +251,7 @@ def test_many_threads_ask_at_once(random):
 
 
 def test_ten_thousand_meshes_leave_no_memory_behind():
-    script = pathlib.Path(__file__).parents[1] / "benchmarks" / "leak.py"
+    script = needed("python", "benchmarks", "leak.py")
     told = subprocess.run([sys.executable, script], check=True, stdout=subprocess.PIPE, text=True)
     sizes = [int(line.split()[2]) for line in told.stdout.splitlines()]
     # A mesh of these takes 10 kB: one in a hundred would show.

@@ -9,8 +9,8 @@ import warnings
 import netmesh
 import numpy as np
 import pytest
-import scipy.interpolate
-import scipy.spatial
+
+scipy = pytest.importorskip("scipy")
 
 
 def wave(points):

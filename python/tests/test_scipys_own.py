@@ -7,9 +7,10 @@ import types
 
 import netmesh
 import pytest
-import scipy.interpolate.tests.test_interpnd as their_interpolation
-import scipy.interpolate.tests.test_ndgriddata as their_griddata
-import scipy.spatial.tests.test_qhull as their_qhull
+
+their_interpolation = pytest.importorskip("scipy.interpolate.tests.test_interpnd")
+their_griddata = pytest.importorskip("scipy.interpolate.tests.test_ndgriddata")
+their_qhull = pytest.importorskip("scipy.spatial.tests.test_qhull")
 
 ORDER = "simplices come in another order, and start with another vertex"
 QHULL = "QJ moves the points; here one that equals another is never a vertex"

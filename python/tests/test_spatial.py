@@ -3,8 +3,8 @@
 import netmesh
 import numpy as np
 import pytest
-import scipy.sparse
-import scipy.spatial
+
+scipy = pytest.importorskip("scipy")
 
 
 @pytest.mark.parametrize("dim", [2, 3, 4])

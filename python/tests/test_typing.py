@@ -3,6 +3,7 @@
 import os
 import pathlib
 import re
+import sysconfig
 
 import numpy as np
 import pytest
@@ -75,14 +76,19 @@ def errors_of(script, folder):
     path = folder / "script.py"
     path.write_text(script)
     package = str(pathlib.Path(netmesh.__file__).parents[1])
-    before = os.environ.get("MYPYPATH")
-    os.environ["MYPYPATH"] = package
+    before = os.environ.pop("MYPYPATH", None)
+    # What mypy reads it finds beside itself, which it refuses to be told, or where that path leads.
+    if package not in {sysconfig.get_path("purelib"), sysconfig.get_path("platlib")}:
+        os.environ["MYPYPATH"] = package
     try:
-        # What mypy reads it finds beside itself, or where that path leads.
         out, complaints, _ = api.run(["--strict", "--follow-imports=silent", "--cache-dir", str(folder), str(path)])
     finally:
-        os.environ.pop("MYPYPATH") if before is None else os.environ.update(MYPYPATH=before)
+        os.environ.pop("MYPYPATH", None)
+        if before is not None:
+            os.environ["MYPYPATH"] = before
     assert not complaints, complaints
+    # Its last line; without it nothing was checked.
+    assert re.search(r"(no issues found in|checked) 1 source file", out), out
     return re.findall(r"script\.py:(\d+): error: (.*)", out)
 
 

@@ -4,7 +4,7 @@
 use super::tree::{Node, Tree};
 use crate::mesh::NONE;
 use crate::numerics::{Column, Edges, Sign, distance, norm};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 
 /// Returns the relative difference of two computed distances, or squares of them, up to which the
 /// order of the exact ones is undecided: a square carries D + 2 roundings, a length D + 4.
@@ -20,21 +20,49 @@ const LARGEST_SQUARE: f64 = 1e250;
 /// Largest difference of lengths that rounding to subnormal numbers may make.
 const TINY: f64 = 1e-322;
 
-/// Switch that ends a call from another thread; the default is never set.
+/// Switch that ends a call before it is done; the default is never set.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Stop<'a>(Option<&'a AtomicBool>);
+pub struct Stop<'a>(Cause<'a>);
+
+#[derive(Clone, Copy, Debug, Default)]
+enum Cause<'a> {
+    #[default]
+    Never,
+    /// Another thread sets it.
+    Switch(&'a AtomicBool),
+    /// The questions that may still be asked.
+    Questions(&'a AtomicU32),
+}
 
 impl<'a> Stop<'a> {
     /// Makes a switch that is set when the value becomes true.
     pub fn new(switch: &'a AtomicBool) -> Self {
-        Self(Some(switch))
+        Self(Cause::Switch(switch))
+    }
+
+    /// Makes a switch that is set once the call has asked for it that often: calls ask after every
+    /// few steps of their work. The value counts down, and is not zero if the call was not ended.
+    pub fn after(questions: &'a AtomicU32) -> Self {
+        Self(Cause::Questions(questions))
     }
 
     /// Returns true once the switch is set.
     #[inline]
     pub fn is_set(self) -> bool {
-        self.0.is_some_and(|switch| switch.load(Ordering::Relaxed))
+        match self.0 {
+            Cause::Never => false,
+            Cause::Switch(switch) => switch.load(Ordering::Relaxed),
+            Cause::Questions(left) => is_last(left),
+        }
     }
+}
+
+/// Counts a question; returns true for the last one, and ever after.
+fn is_last(left: &AtomicU32) -> bool {
+    let before = left.load(Ordering::Relaxed);
+    // Threads that ask at the same time may count as one; none goes on for ever.
+    left.store(before.saturating_sub(1), Ordering::Relaxed);
+    before <= 1
 }
 
 /// Returns the nearest point and its distance. Of several at the same exact distance, the one with

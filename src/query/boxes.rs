@@ -2,7 +2,7 @@
 
 use super::barycentric::coordinates_in;
 use super::index::{check_arrays, no_dimension};
-use super::threads::{Work, on_threads, piece, threads};
+use super::threads::{Work, on_threads};
 use super::view::View;
 use super::weigh::check_weights;
 use crate::error::{Error, ErrorKind, Result, message};
@@ -186,8 +186,7 @@ fn weigh_in<const D: usize>(
     simplices: &mut [u32],
     weights: &mut [f64],
 ) -> AllocResult<()> {
-    let threads = threads(work.threads);
-    let piece = piece(simplices.len(), threads);
+    let (threads, piece) = work.shares(simplices.len());
     let out = simplices.chunks_mut(piece).zip(weights.chunks_mut(piece * (D + 1)));
     let pieces = points.chunks(piece * D).zip(out);
     on_threads(threads, pieces, |_: &mut (), (points, (simplices, weights))| {

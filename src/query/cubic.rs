@@ -11,7 +11,7 @@
 
 use super::barycentric::coordinates_in;
 use super::interpolate::Values;
-use super::threads::{Work, on_threads, piece, threads};
+use super::threads::{Work, on_threads};
 use super::triangles::Triangles;
 use crate::error::{Error, Result, message};
 use crate::mesh::NONE;
@@ -43,8 +43,8 @@ impl Cubics<'_> {
     ) -> Result<()> {
         let work = work.into();
         self.check(simplices, weights, out)?;
-        let threads = threads(work.threads);
-        let (piece, components) = (piece(simplices.len(), threads), self.values.components);
+        let (threads, piece) = work.shares(simplices.len());
+        let components = self.values.components;
         let places = simplices.chunks(piece).zip(weights.chunks(3 * piece));
         let pieces = places.zip(out.chunks_mut(components * piece));
         on_threads(threads, pieces, |_: &mut (), ((simplices, weights), out)| {
@@ -64,7 +64,6 @@ impl Cubics<'_> {
     }
 
     fn check(&self, simplices: &[u32], weights: &[f64], out: &[f64]) -> Result<()> {
-        self.triangles.check(self.values)?;
         let (vertices, components) = (self.triangles.vertex_count(), self.values.components);
         let (count, triangles) = (simplices.len(), self.triangles.count());
         let lengths = [
@@ -77,13 +76,13 @@ impl Cubics<'_> {
             return Err(Error::invalid(message));
         }
         let is_outside = |&id: &u32| id as usize >= triangles && id != NONE;
-        match simplices.iter().position(is_outside) {
-            None => Ok(()),
-            Some(at) => Err(Error::invalid(message!(
+        if let Some(at) = simplices.iter().position(is_outside) {
+            return Err(Error::invalid(message!(
                 "simplices[{at}] is {}; there are {triangles} triangles",
                 simplices[at]
-            ))),
+            )));
         }
+        self.triangles.check_around(self.values, simplices)
     }
 
     /// Writes the values at one point of a triangle.
@@ -329,5 +328,32 @@ mod tests {
         assert_eq!(refusal(cubics, 0, &weights, &mut []), "out has length 0; it must be 1");
         let short = Cubics { gradients: &gradients[1..], ..cubics };
         assert_eq!(refusal(short, 0, &weights, out), "gradients has length 119; it must be 120");
+        // What is wrong with the triangle that is asked for, or with one beside it.
+        let last = triangles.count() as u32 - 1;
+        let beside = triangles.neighbors_of(last).iter().copied().find(|&n| n != NONE).unwrap();
+        for (asked, wrong) in [(last, last), (last, beside), (NONE, last)] {
+            let mut simplices = triangles.simplices.to_vec();
+            simplices[3 * wrong as usize + 1] = 77;
+            let of_other = Triangles { simplices: &simplices, ..triangles };
+            let other = Cubics { triangles: of_other, ..cubics };
+            if asked == NONE {
+                assert!(at(&other, asked, weights).is_nan());
+                continue;
+            }
+            let told = format!("simplices[{wrong}] has the vertex 77; there are 60");
+            assert_eq!(refusal(other, asked, &weights, out), told);
+        }
+        let mut neighbors = triangles.neighbors.to_vec();
+        neighbors[3 * last as usize] = 9999;
+        let other =
+            Cubics { triangles: Triangles { neighbors: &neighbors, ..triangles }, ..cubics };
+        let told = refusal(other, last, &weights, out);
+        assert!(told.starts_with(&format!("neighbors[{last}] has the triangle 9999")), "{told}");
+        let mut points = triangles.points.to_vec();
+        let vertex = triangles.vertices(beside)[0];
+        points[2 * vertex as usize] = f64::NAN;
+        let other = Cubics { triangles: Triangles { points: &points, ..triangles }, ..cubics };
+        let error = other.evaluate(&[last], &weights, 1, out).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::NonFinite, "{error}");
     }
 }

@@ -4,7 +4,7 @@ use super::Index;
 use super::barycentric::coordinates_in;
 use super::locate::{Locator, Place, Scratch};
 use super::natural::Natural;
-use super::threads::{Work, on_threads, piece, threads};
+use super::threads::{Work, on_threads};
 use super::view::View;
 use crate::error::{Error, Result, message};
 use crate::memory::AllocResult;
@@ -97,8 +97,7 @@ pub(super) fn interpolate_in<const D: usize>(
     work: Work<'_>,
     out: &mut [f64],
 ) -> AllocResult<()> {
-    let threads = threads(work.threads);
-    let piece = piece(points.len() / D, threads);
+    let (threads, piece) = work.shares(points.len() / D);
     let pieces = points.chunks(piece * D).zip(out.chunks_mut(piece * values.components));
     on_threads(threads, pieces, |buffers: &mut Buffers, (points, out)| {
         let Buffers { scratch, natural } = buffers;

@@ -3,7 +3,7 @@
 use super::index::no_dimension;
 use super::interpolate::{Interpolation, Method, Values, interpolate_in};
 use super::locate::{Locator, Place, Scratch};
-use super::threads::{Work, on_threads, piece, threads};
+use super::threads::{Work, on_threads};
 use super::view::View;
 use super::{Among, Index};
 use crate::error::{Error, Name, Result, message, say};
@@ -173,8 +173,7 @@ fn locate_in<const D: usize>(
     work: Work<'_>,
     out: &mut [impl From<Place> + Send],
 ) -> AllocResult<()> {
-    let threads = threads(work.threads);
-    let piece = piece(out.len(), threads);
+    let (threads, piece) = work.shares(out.len());
     let pieces = points.chunks(piece * D).zip(out.chunks_mut(piece));
     on_threads(threads, pieces, |scratch: &mut Scratch, (points, out)| {
         let mut locator = Locator::new(View::<D> { mesh }, index, work.stop);
@@ -192,8 +191,7 @@ pub(super) fn nearest_in<const D: usize>(
     vertices: &mut [u32],
     distances: &mut [f64],
 ) -> AllocResult<()> {
-    let threads = threads(work.threads);
-    let piece = piece(vertices.len(), threads);
+    let (threads, piece) = work.shares(vertices.len());
     let out = vertices.chunks_mut(piece).zip(distances.chunks_mut(piece));
     let pieces = points.chunks(piece * D).zip(out);
     on_threads(threads, pieces, |keys: &mut Vec<u64>, (points, (vertices, distances))| {

@@ -441,6 +441,30 @@ fn a_stop_ends_every_query() {
     index.locate(mesh, flat, work, &mut vec![7; n]).unwrap();
 }
 
+/// Holds that a query ends after so many questions, unless it needs fewer.
+#[test]
+fn a_stop_after_some_questions_ends_long_queries_alone() {
+    use std::sync::atomic::{AtomicU32, Ordering};
+    // All inputs are equally near to the middle.
+    let circle = (0..2000).map(|at| (at as f64 * 0.003_141).sin_cos());
+    let mut inputs: Vec<[f64; 2]> = circle.map(|(y, x)| [x, y]).collect();
+    inputs.push([0.0, 3.0]);
+    let tree = PointIndex::new(2, inputs.as_flattened()).unwrap();
+    let answer = |q: [f64; 2], questions| {
+        let (left, mut id, mut distance) = (AtomicU32::new(questions), [0], [0.0]);
+        let work = Work { threads: 1, stop: Stop::after(&left) };
+        let answer = tree.nearest(&q, work, &mut id, &mut distance);
+        (answer.map(|()| id[0]).map_err(|error| error.kind()), left.load(Ordering::Relaxed))
+    };
+    assert_eq!(answer([0.0; 2], 100), (Err(ErrorKind::Cancelled), 0));
+    let (found, left) = answer([0.0, 2.9], 100);
+    assert_eq!(found, Ok(2000));
+    assert!((1..100).contains(&left), "{left}");
+    let (found, left) = answer([0.0; 2], 1 << 20);
+    assert!(found.is_ok() && (1..1 << 20).contains(&left), "{left}");
+    assert_eq!(answer([0.0, 2.9], 0), (Err(ErrorKind::Cancelled), 0));
+}
+
 #[test]
 fn bytes_are_about_what_is_said() {
     let inputs = points::<3>(Family::Uniform, 2000, &mut Random(4));

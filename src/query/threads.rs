@@ -35,17 +35,25 @@ impl Work<'_> {
             false => Ok(()),
         }
     }
+
+    /// Returns the number of threads for `count` points, and of points that make a piece of work.
+    /// No answer depends on them.
+    pub(super) fn shares(&self, count: usize) -> (usize, usize) {
+        // How many cores there are is a question to the system, which one piece need not ask.
+        split(count, if count <= SMALLEST { 1 } else { threads(self.threads) })
+    }
+}
+
+/// Returns how many of the threads have a piece of work on `count` points, and the points of one.
+fn split(count: usize, threads: usize) -> (usize, usize) {
+    let piece = (count / (4 * threads)).clamp(SMALLEST, LARGEST);
+    (threads.min(count.div_ceil(piece).max(1)), piece)
 }
 
 /// Returns the number of threads to use: what the caller allows (0: all cores), and no more than
 /// there are cores.
 pub(crate) fn threads(wanted: u32) -> usize {
     usable(wanted)
-}
-
-/// Returns the number of points, of `count`, that make a piece of work. No answer depends on it.
-pub(super) fn piece(count: usize, threads: usize) -> usize {
-    (count / (4 * threads)).clamp(SMALLEST, LARGEST)
 }
 
 /// Does each of the pieces, in any order, with scratch memory of each thread.
@@ -73,6 +81,22 @@ pub(crate) fn on_threads<W: Send, S: Default>(
 mod tests {
     use super::*;
     use crate::memory::AllocError;
+
+    #[test]
+    fn no_thread_is_without_a_piece() {
+        let shares = |threads, count| Work::from(threads).shares(count);
+        assert_eq!([0, 1, SMALLEST].map(|count| shares(0, count)), [(1, SMALLEST); 3]);
+        assert_eq!(shares(0, 1 << 30), (usable(0), LARGEST));
+        assert_eq!(split(2 * SMALLEST + 1, 5), (3, SMALLEST));
+        assert_eq!(split(20 * SMALLEST, 5), (5, SMALLEST));
+        for threads in [1, 2, 5, 64] {
+            for count in [1, SMALLEST + 1, 10_000, 1_000_000] {
+                let (used, piece) = split(count, threads);
+                assert!((1..=threads.min(count.div_ceil(piece))).contains(&used), "{count}");
+                assert!((SMALLEST..=LARGEST).contains(&piece), "{piece}");
+            }
+        }
+    }
 
     #[test]
     fn every_piece_is_done_once() {

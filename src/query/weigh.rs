@@ -4,7 +4,7 @@ use super::Index;
 use super::barycentric::coordinates_in;
 use super::index::no_dimension;
 use super::locate::{Locator, Place, Scratch};
-use super::threads::{Work, on_threads, piece, threads};
+use super::threads::{Work, on_threads};
 use super::view::View;
 use crate::error::{Error, Result, message};
 use crate::memory::AllocResult;
@@ -59,8 +59,7 @@ fn weigh_in<const D: usize>(
     simplices: &mut [u32],
     weights: &mut [f64],
 ) -> AllocResult<()> {
-    let threads = threads(work.threads);
-    let piece = piece(simplices.len(), threads);
+    let (threads, piece) = work.shares(simplices.len());
     let out = simplices.chunks_mut(piece).zip(weights.chunks_mut(piece * (D + 1)));
     let pieces = points.chunks(piece * D).zip(out);
     on_threads(threads, pieces, |scratch: &mut Scratch, (points, (simplices, weights))| {

@@ -12,8 +12,10 @@ const PIXELS: &str = include_str!("pixels.py");
 const WINDOW: (u32, u32) = (900, 600);
 const PICTURE: u32 = WINDOW.0 - 300;
 
-/// Colours of the first two regions, and of nothing.
+/// Colours of the first two regions, of the first three markers, of what has none, and of nothing.
 const REGIONS: [&str; 2] = ["#7fb3d5", "#f5b971"];
+const MARKERS: [&str; 3] = [REGIONS[0], REGIONS[1], "#8fcf9b"];
+const GREY: &str = "#aaaaaa";
 const WHITE: &str = "#ffffff";
 
 /// Two squares side by side, with a label each.
@@ -26,8 +28,14 @@ const CUBE: &str = "OFF\n8 12 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1
                     3 0 2 1\n3 1 2 3\n3 4 5 6\n3 5 7 6\n3 0 1 4\n3 1 5 4\n\
                     3 2 6 3\n3 3 6 7\n3 0 4 2\n3 2 4 6\n3 1 3 5\n3 3 7 5\n";
 
+/// The cube, whose sides at the ends of y have the markers 1 and 2.
+const MARKED: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\n\
+                      f 1 3 4 2\nf 5 6 8 7\nf 1 5 7 3\nf 2 4 8 6\n\
+                      g front\nf 1 2 6 5\ng back\nf 3 7 8 4\n";
+
 fn bench_with(test: &str) -> Workbench {
     let bench = Workbench::new(test);
+    bench.write("marked.obj", MARKED);
     bench.write("plane.poly", PLANE);
     bench.write("cube.off", CUBE);
     bench
@@ -51,6 +59,16 @@ fn pages_and_pictures_are_written_with_regions_and_attributes() {
     bench.run("cube.off -q -o cube.html").assert_success();
     let mesh = mesh_of(&bench.read("cube.html"));
     assert_eq!((&mesh["dim"], &mesh["cells"]), (&3.into(), &mesh["all"]));
+    bench.run("marked.obj --max-edge 0.3 -q -o marked.html").assert_success();
+    let mesh = mesh_of(&bench.read("marked.html"));
+    let of_facets = |labels: &&serde_json::Value| labels["of"] == "facets";
+    let labels = mesh["labels"].as_array().expect("labels").iter().find(of_facets).expect("one");
+    assert_eq!(labels["distinct"], serde_json::json!([0, 1, 2]));
+    assert_eq!([&labels["name"], &labels["key"]], ["facet marker", "markers"]);
+    // Numbers have four bytes, and three bytes four digits of base64.
+    let [markers, facets] = [&labels["values"], &mesh["facets"]]
+        .map(|array| array.as_str().expect("base64").trim_end_matches('=').len() * 3 / 4 / 4);
+    assert!(markers > 100 && facets == 3 * markers, "{markers} markers, {facets} corners");
     bench.write("heat.csv", "x,y,z,heat\n0,0,0,1\n1,0,0,2\n0,1,0,3\n0,0,1,-4\n");
     bench.run("heat.csv --attributes heat -q -o heat.html").assert_success();
     let heat = &mesh_of(&bench.read("heat.html"))["attributes"][0];
@@ -242,4 +260,34 @@ fn a_browser_shows_a_part_in_space_and_its_inside() {
     assert_eq!(told, expected);
     assert!(page.contains("<h1 id=\"name\">cube.html</h1>"));
     assert!(page.contains("<p id=\"fault\" hidden=\"\"></p>"));
+}
+
+#[test]
+fn a_browser_shows_facets_in_the_colours_of_their_markers() {
+    let Some(browser) = browser() else { return };
+    let bench = bench_with("browser_markers");
+    bench.run("marked.obj --max-edge 0.3 -q -o marked.html").assert_success();
+    let front = "edges=0&lines=0&light=0&turn=-90,0";
+    let assert_alone = |seen: &HashMap<String, f64>, colour: &str| {
+        assert_share(seen, colour, 0.5, 0.95);
+        let others = MARKERS.iter().chain(&[GREY]).filter(|other| **other != colour);
+        others.for_each(|other| assert_share(seen, other, 0.0, 0.0));
+    };
+    let page = format!("marked.html#by=markers&{front}");
+    assert_alone(&colours(browser, &bench, &page), MARKERS[1]);
+    let back = page.replace("-90", "90");
+    assert_alone(&colours(browser, &bench, &back), MARKERS[2]);
+    // Where it is cut, sides of cells are in no facet.
+    let cut = colours(browser, &bench, &format!("{page}&cut=0.5&axis=y&keep=above"));
+    assert_share(&cut, GREY, 0.3, 0.95);
+    assert_share(&cut, MARKERS[1], 0.0, 0.0);
+    // Without the side in front, the one behind is seen from inside.
+    let hide = "<script>setTimeout(() => viewer.toggle(1), 500)</script></body>";
+    bench.write("hidden.html", &bench.read("marked.html").replace("</body>", hide));
+    let hidden = colours(browser, &bench, &format!("hidden.html#by=markers&{front}"));
+    assert_share(&hidden, MARKERS[1], 0.0, 0.0);
+    assert_share(&hidden, MARKERS[2], 0.2, 0.9);
+    // By regions all sides are alike.
+    let plain = colours(browser, &bench, &format!("marked.html#by=regions&{front}"));
+    assert_alone(&plain, REGIONS[0]);
 }

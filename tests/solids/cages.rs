@@ -1,5 +1,5 @@
-//! Components of another scale stand in cages where output is hierarchical, and cost the same at any
-//! scale. A facet or segment that leads out of one, or passes near it, leaves no cage.
+//! Components of another scale stand in cages where output is hierarchical, and cost the same at
+//! any scale. A facet or segment that leads out of one, or passes near it, leaves no cage.
 
 use super::{Point, Solid, assert_holds, assert_none_excused, bounded, cuboid, volume};
 use netmesh::options::{Extent, Options, Output};
@@ -235,8 +235,8 @@ fn cages_go_with_all_extents_and_dihedral_angles() {
     assert_eq!(all.domains.len(), 2);
 }
 
-/// What a small angle forces in a domain is marked, and what is between a cage and its
-/// surroundings is not.
+/// Simplices that a small angle forces in a domain are marked, and those between a cage and its
+/// surroundings are not.
 #[test]
 fn a_component_with_a_small_angle_has_forced_simplices() {
     let (sine, cosine) = 5f64.to_radians().sin_cos();

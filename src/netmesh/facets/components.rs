@@ -2,9 +2,9 @@
 //! hierarchical output each stands in a cage of its own, so that it costs the same at any scale.
 //!
 //! All of the boundary is in the mesh before the first cage is made. In the plane cages come
-//! first. Here they would be in the way of facets: a vertex of a cage may be in the plane of a facet
-//! beside the component, and a vertex in a facet that is none of it has no place in the mesh. Now
-//! it is known what is near, and there is no cage where that is a part of the boundary outside.
+//! first. Here they would be in the way of facets: a vertex of a cage may be in the plane of a
+//! facet beside the component, and a vertex in a facet that is none of it has no place in the mesh.
+//! Now it is known what is near, and there is no cage where that is a part of the boundary outside.
 
 use crate::complex::SimplexId;
 use crate::delaunay::Cavity;

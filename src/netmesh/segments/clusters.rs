@@ -17,9 +17,11 @@ use crate::numerics::distance;
 use crate::options::Output;
 use crate::parameters::Parameters;
 
-/// A cluster's cage must have room for one of this times its radius: the vertices of a cage are
-/// about as many as those between scales that are so far apart.
-const ROOM: f64 = 4.0;
+/// Returns how many times its radius a cluster's cage must have room for: then the vertices of a
+/// cage are no more than those between scales that are so far apart. In space these are many.
+const fn room<const D: usize>() -> f64 {
+    if D == 2 { 4.0 } else { 1.0 }
+}
 
 /// Number that stands for no cluster, and for the end of a list.
 const NONE: u32 = u32::MAX;
@@ -189,7 +191,7 @@ impl<const D: usize> State<D> {
             if is_low { low[axis] } else { high[axis] }
         });
         let reach = distance(corner, &farthest);
-        match self.concentrated_radius(center, reach, gap, ROOM) {
+        match self.concentrated_radius(center, reach, gap, room::<D>()) {
             Some(radius) => {
                 clusters.add(group, CageSite { center, radius, parent: ROOT, inner: None })
             }

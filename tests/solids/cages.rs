@@ -64,7 +64,13 @@ fn wall(z: f64) -> Solid {
 fn assert_as_without_cages(solid: &Solid) {
     let [hierarchical, plain] = [hierarchical(), bounded(2.0)].map(|options| solid.run(&options));
     assert_eq!(hierarchical.domains.len(), 1);
-    assert_eq!((hierarchical.points, hierarchical.simplices), (plain.points, plain.simplices));
+    assert_same(&hierarchical, &plain);
+}
+
+/// Fails if two meshes differ, and does not print them.
+fn assert_same(one: &Triangulation, other: &Triangulation) {
+    let counts = [one, other].map(Triangulation::vertex_count);
+    assert!(one.points == other.points && one.simplices == other.simplices, "{counts:?} vertices");
 }
 
 fn count(mesh: &Triangulation, kind: VertexKind) -> usize {
@@ -121,7 +127,7 @@ fn components_beside_each_other_have_cages_of_their_own() {
     assert!(mesh.vertex_count() < 150, "{} vertices", mesh.vertex_count());
     for threads in [2, 3] {
         let same = solid.run(&Options { threads, ..hierarchical() });
-        assert_eq!((&same.points, &same.simplices), (&mesh.points, &mesh.simplices));
+        assert_same(&same, &mesh);
         assert_eq!((&same.domains, &same.cage_of), (&mesh.domains, &mesh.cage_of));
     }
 }
@@ -140,8 +146,9 @@ fn clusters_of_points_have_cages_where_no_facet_holds_them() {
     let scale = 2f64.powi(-30);
     let inside = cluster(0.3, scale).run(&hierarchical());
     assert!(inside.domains.len() > 1 && inside.vertex_count() < 150);
-    assert_as_without_cages(&cluster(1.0, scale));
-    assert_as_without_cages(&cluster(1.0 - scale, scale));
+    for times in [0.0, 1.0, 6.0] {
+        assert_as_without_cages(&cluster(1.0 - times * scale, scale));
+    }
 }
 
 #[test]
@@ -151,19 +158,48 @@ fn a_facet_out_of_a_component_leaves_no_cage() {
     assert_as_without_cages(&solid);
 }
 
+/// Returns the mesh of a cube and segments, whose certificate holds.
+fn with_segments(solid: &Solid, segments: &[u32], options: &Options) -> Triangulation {
+    let mut mesh = solid.mesh();
+    mesh.set_segments(segments, None).unwrap();
+    mesh.run(options, None).unwrap();
+    assert_holds(&mesh);
+    mesh.result().unwrap().clone()
+}
+
 #[test]
 fn a_segment_out_of_a_component_leaves_no_cage() {
     let solid = nested(&[-20]);
-    for (segment, domains) in [([8, 0], 1), ([8, 15], 2)] {
-        let mut mesh = solid.mesh();
-        mesh.set_segments(&segment, None).unwrap();
-        mesh.run(&hierarchical(), None).unwrap();
-        assert_holds(&mesh);
-        assert_eq!(mesh.result().unwrap().domains.len(), domains, "{segment:?}");
+    for (segment, domains) in [([8, 0], 1), ([3, 11], 1), ([8, 15], 2)] {
+        let mesh = with_segments(&solid, &segment, &hierarchical());
+        assert_eq!(mesh.domains.len(), domains, "{segment:?}");
     }
 }
 
-/// A facet that passes a component has its vertices far from it.
+/// A segment that passes a component is in the mesh without vertices near that.
+#[test]
+fn a_segment_that_passes_near_a_component_leaves_no_cage() {
+    let scale = 2f64.powi(-20);
+    for (times, has_cage) in [(3.0, false), (7.0, false), (9.0, false), (11.0, false), (64.0, true)]
+    {
+        for (axis, side) in [(0, 1.0), (0, -1.0), (1, 1.0), (1, -1.0), (2, 1.0), (2, -1.0)] {
+            let mut solid = nested(&[-20]);
+            solid.points.extend([-0.6, 0.7].map(|along| {
+                let mut x = [0.0; 3];
+                (x[axis], x[(axis + 1) % 3]) = (side * times * scale, along);
+                x
+            }));
+            let mesh = with_segments(&solid, &[16, 17], &hierarchical());
+            assert_eq!(mesh.domains.len(), 1 + usize::from(has_cage), "{times} {axis} {side}");
+            if !has_cage {
+                let plain = with_segments(&solid, &[16, 17], &bounded(2.0));
+                assert_same(&mesh, &plain);
+            }
+        }
+    }
+}
+
+/// A facet that passes a component has its own vertices far from it.
 #[test]
 fn a_facet_that_passes_near_a_component_leaves_no_cage() {
     let scale = 2f64.powi(-20);

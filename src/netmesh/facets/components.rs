@@ -13,8 +13,8 @@ use crate::netmesh::state::hierarchy::DomainId;
 use crate::netmesh::state::{Mesher, State};
 
 impl Mesher<'_, '_, 3> {
-    /// Gives each cluster that no part of the boundary leads out of a domain and a cage, unless
-    /// other parts are near. All of the boundary is recovered.
+    /// Gives each cluster a domain and a cage, unless a part of the boundary leads out of it, or is
+    /// near. All of the boundary is recovered.
     pub(super) fn cage_components(&mut self, cavity: &mut Cavity) -> Result<()> {
         // A cage that does not surround its inputs may have vertices in their facets.
         if !self.state.parameters.counts_all_corners() {
@@ -23,17 +23,6 @@ impl Mesher<'_, '_, 3> {
         self.make_domains()?;
         if self.state.hierarchy.is_single() {
             return Ok(());
-        }
-        for subsegment in 0..self.state.segments.chains.len() as u32 {
-            self.watch.poll_after(1)?;
-            let [a, b] = self.state.segments.chains.get(subsegment).ends;
-            self.leave_domains(a, b)?;
-        }
-        for subfacet in 0..self.state.facets.len() as u32 {
-            self.watch.poll_after(1)?;
-            let [a, b, c] = self.state.facets.get(subfacet).vertices;
-            self.leave_domains(a, b)?;
-            self.leave_domains(b, c)?;
         }
         for domain in (1..self.state.hierarchy.len()).map(DomainId::new) {
             self.watch.poll_after(64)?;

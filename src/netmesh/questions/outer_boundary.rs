@@ -11,9 +11,9 @@ use crate::netmesh::state::{Mesher, State};
 use crate::numerics::{distance_to_edge, distance_to_triangle};
 
 impl Mesher<'_, '_, 3> {
-    /// Returns true if a subsegment or subfacet outside of a domain is so near to its centre that a
-    /// vertex there would encroach the domain. All of the boundary is recovered, and none of it
-    /// leads out of the domain; the simplex `start` has a place on the cage sphere.
+    /// Returns true if a subsegment or subfacet that is not wholly in a domain is so near to its
+    /// centre that a vertex there would encroach the domain. All of the boundary is recovered; the
+    /// simplex `start` has a place on the cage sphere.
     ///
     /// The search goes through the simplices that are so near, but for those between vertices of
     /// the domain: these are in its convex hull, and what is left of the ball is connected.
@@ -61,23 +61,23 @@ impl State<3> {
         complex.is_infinite(simplex) || complex.vertices(simplex).iter().all(is_own)
     }
 
-    /// Returns true if an edge or face of a simplex is a part of the boundary outside of a domain,
-    /// and nearer to its centre than `reach`.
+    /// Returns true if an edge or face of a simplex is a part of the boundary that is not wholly in
+    /// a domain, and nearer to its centre than `reach`.
     fn has_outer_boundary(&self, simplex: SimplexId, domain: DomainId, reach: f64) -> bool {
         let vertices = self.delaunay.complex().vertices(simplex);
         let center = &self.hierarchy.node(domain).point;
         let is_outside =
-            |at: usize| !self.hierarchy.contains(domain, self.delaunay.point(vertices[at]));
+            |&at: &usize| !self.hierarchy.contains(domain, self.delaunay.point(vertices[at]));
         let is_near_line = |edge: &[usize; 2]| {
             let [a, b] = edge.map(|at| vertices[at]);
             self.segments.chains.edge_between(a, b).is_some()
-                && is_outside(edge[0])
+                && edge.iter().any(is_outside)
                 && distance_to_edge(center, [a, b].map(|end| self.delaunay.point(end))) < reach
         };
         let is_near_facet = |face: &[usize; 3]| {
             let corners = face.map(|at| vertices[at]);
             self.facets.face(&corners).is_some()
-                && is_outside(face[0])
+                && face.iter().any(is_outside)
                 && distance_to_triangle(center, self.points_of(corners)) < reach
         };
         EDGES.iter().any(is_near_line) || FACES.iter().any(is_near_facet)

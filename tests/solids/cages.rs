@@ -176,7 +176,7 @@ fn a_segment_out_of_a_component_leaves_no_cage() {
     }
 }
 
-/// A segment that passes a component is in the mesh without vertices near that.
+/// A segment that passes a component has its ends far from it.
 #[test]
 fn a_segment_that_passes_near_a_component_leaves_no_cage() {
     let scale = 2f64.powi(-20);

@@ -34,6 +34,8 @@ impl Mesher<'_, '_, 3> {
         self.find_sharp_lines()?;
         self.make_sheets_delaunay()?;
         self.recover_boundary(cavity)?;
+        self.cage_components(cavity)?;
+        self.recover_boundary(cavity)?;
         self.find_regions()?;
         self.judge_regions(&arrangement.regions)
     }

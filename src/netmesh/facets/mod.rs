@@ -3,9 +3,11 @@
 //! mesh.
 //!
 //! - `conform`: all of it, in order.
+//! - `components`: the concentrated sets of vertices that no facet leaves, which get cages.
 //! - `corner_angles`: the angles between facets at a vertex.
 //! - `sharp`: the lines at which facets or segments meet at small angles.
 
+mod components;
 pub(super) mod conform;
 mod corner_angles;
 pub(super) mod sharp;

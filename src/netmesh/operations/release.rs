@@ -10,7 +10,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Releases a cage (RELEASECAGE): its vertices become vertices of the parent domain. Their
     /// cells, and those of their neighbours, whose corners were exempt inside the cage, are
     /// examined anew.
-    pub(super) fn release_cage(&mut self, cage: DomainId) -> AllocResult<()> {
+    pub(in crate::netmesh) fn release_cage(&mut self, cage: DomainId) -> AllocResult<()> {
         debug_assert!(!self.state.interface.is_non_owned(cage));
         self.state.hierarchy.release(cage);
         self.state.stats.cages_released += 1;

@@ -92,7 +92,7 @@ impl<const D: usize> State<D> {
     pub(in crate::netmesh) fn is_bad_but_forced(&self, simplex: SimplexId) -> bool {
         let radius = self.delaunay.ball(simplex).map_or(0.0, |ball| ball.radius());
         let may_be = match self.as_space() {
-            Some(state) => !state.is_flat(simplex),
+            Some(state) => !state.is_flat(simplex) && self.is_in_one_domain(simplex),
             None => self.is_forced(simplex),
         };
         may_be && self.short_edge(simplex, radius).is_some()

@@ -4,6 +4,7 @@
 //! - `encroachment`: the cages that a point is too close to (Definition 2).
 //! - `cage_site`: the place and the size of a cage.
 //! - `bad_simplex` and `quality`: the simplices that make a cell bad (Definition 4).
+//! - `outer_boundary`: whether a cage would be near to facets or segments around it.
 //! - `steiner_point`: the point that mends a bad simplex.
 //! - `nearby`: the vertices and inputs near a point.
 //! - `subsegments`: the edges that subsegments are, and the points that split them.
@@ -24,6 +25,7 @@ pub(super) mod feature_size;
 pub(super) mod mirror;
 pub(super) mod nearby;
 pub(super) mod opposite;
+pub(super) mod outer_boundary;
 pub(super) mod permission;
 pub(super) mod quality;
 pub(super) mod regions;

@@ -229,6 +229,15 @@ impl<const D: usize> State<D> {
         })
     }
 
+    /// Returns true if the vertices of a live simplex, which is finite, are of one domain. Those
+    /// between a cage and what is around it have no bound. Changes nothing.
+    pub(super) fn is_in_one_domain(&self, simplex: SimplexId) -> bool {
+        let vertices = self.delaunay.complex().vertices(simplex);
+        let domain_of = |vertex| self.hierarchy.compressed_domain_of(vertex);
+        self.hierarchy.same_domain(vertices)
+            || vertices[1..].iter().all(|&vertex| domain_of(vertex) == domain_of(vertices[0]))
+    }
+
     /// Returns true if all that is bad (`is_bad`) is open, too: the same corners are too far, only
     /// more of them count. By edges that is not so where a simplex has vertices of several domains.
     pub(in crate::netmesh) fn is_bad_open(&self) -> bool {

@@ -1,5 +1,6 @@
 //! Clusters: sets of vertices that are concentrated, that is far from all others for their extent.
-//! With hierarchical output each has a domain of its own, unless a segment leads out of it.
+//! With hierarchical output each has a domain of its own, unless a segment or facet leads out of
+//! it.
 //!
 //! The minimum spanning tree of points is part of their Delaunay triangulation. So when its edges
 //! are taken by rising length, and join the groups of vertices at their ends, the next edge at a
@@ -7,19 +8,20 @@
 //! their lengths: that is enough to tell large gaps, and O(n).
 
 use crate::complex::VertexId;
-use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected, filled};
 use crate::netmesh::questions::cage_site::CageSite;
 use crate::netmesh::state::hierarchy::{DomainId, ROOT};
-use crate::netmesh::state::segments::chain::Line;
 use crate::netmesh::state::{Mesher, State};
 use crate::numerics::distance;
 use crate::options::Output;
+use crate::parameters::Parameters;
 
-/// A cluster's cage must have room for one of this times its radius: the vertices of a cage are
-/// about as many as those between scales that are so far apart.
-const ROOM: f64 = 4.0;
+/// Returns how many times its radius a cluster's cage must have room for: then the vertices of a
+/// cage are no more than those between scales that are so far apart. In space these are many.
+const fn room<const D: usize>() -> f64 {
+    if D == 2 { 4.0 } else { 1.0 }
+}
 
 /// Number that stands for no cluster, and for the end of a list.
 const NONE: u32 = u32::MAX;
@@ -29,9 +31,9 @@ type Item = u32;
 
 /// A set of vertices that edges have joined so far.
 #[derive(Clone, Copy)]
-struct Group {
-    low: [f64; 2],
-    high: [f64; 2],
+struct Group<const D: usize> {
+    low: [f64; D],
+    high: [f64; D],
     /// First and last item of the list of its vertices and clusters that are in no cluster yet.
     first: Item,
     last: Item,
@@ -39,11 +41,11 @@ struct Group {
     is_many: bool,
 }
 
-struct Clusters {
+struct Clusters<const D: usize> {
     /// Vertex -> one of its group, by which the group is found; the group's first points to itself.
     towards: Vec<u32>,
     /// Groups, each by the number of the vertex that it is found by.
-    groups: Vec<Group>,
+    groups: Vec<Group<D>>,
     /// Item -> the next one of its group's list.
     next: Vec<Item>,
     /// Item -> the innermost cluster that it is in.
@@ -57,26 +59,20 @@ struct Edge {
     exponent: u16,
 }
 
-impl Mesher<'_, '_, 2> {
-    /// Gives each cluster that no line leads out of a domain and a cage. There are no domains yet.
-    pub(super) fn cage_clusters(&mut self, lines: &[Line], cavity: &mut Cavity) -> Result<()> {
-        if self.state.parameters.output == Output::WellSpaced {
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Gives each cluster a domain, if cages are wanted. There are no domains yet. Without a bound
+    /// a cage would have nothing to save.
+    pub(in crate::netmesh) fn make_domains(&mut self) -> Result<()> {
+        let Parameters { output, quality_bound, .. } = self.state.parameters;
+        if output == Output::WellSpaced || quality_bound == f64::INFINITY {
             return Ok(());
         }
         let clusters = self.find_clusters()?;
-        self.state.make_domains(&clusters)?;
-        for line in lines {
-            self.watch.poll_after(1)?;
-            self.leave_domains(line.ends[0], line.ends[1])?;
-        }
-        for domain in (1..self.state.hierarchy.len()).map(DomainId::new) {
-            self.make_cage(domain, cavity)?;
-        }
-        Ok(())
+        Ok(self.state.make_domains_of(&clusters)?)
     }
 
     /// Returns the clusters, inner ones before those around them.
-    fn find_clusters(&mut self) -> Result<Clusters> {
+    fn find_clusters(&mut self) -> Result<Clusters<D>> {
         let edges = self.edges_by_length()?;
         let mut clusters = self.state.single_groups()?;
         for Edge { ends, exponent } in edges {
@@ -100,22 +96,16 @@ impl Mesher<'_, '_, 2> {
         const EXPONENTS: usize = 1 << 11;
         let mut edges = Vec::new();
         let mut starts = filled(EXPONENTS + 1, 0usize)?;
-        for simplex in self.state.delaunay.complex().simplices() {
+        let mut neighbors = Vec::new();
+        for vertex in VertexId::below(self.state.delaunay.point_count()) {
             self.watch.poll_after(1)?;
-            let State { delaunay, hierarchy, .. } = &self.state;
-            let vertices = delaunay.complex().vertices(simplex);
-            if !delaunay.complex().is_live(simplex) || delaunay.complex().is_infinite(simplex) {
-                continue;
-            }
-            for [i, j] in [[0, 1], [1, 2], [2, 0]] {
-                let ends = [vertices[i], vertices[j]];
-                // The simplex on the other side has it the other way round.
-                if ends[0] < ends[1] && !ends.iter().any(|&end| hierarchy.cage_of(end).is_valid()) {
-                    let length = distance(delaunay.point(ends[0]), delaunay.point(ends[1]));
-                    let exponent = (length.to_bits() >> 52) as u16;
-                    starts[exponent as usize + 1] += 1;
-                    edges.try_push(Edge { ends, exponent })?;
-                }
+            self.find_later_neighbors(vertex, &mut neighbors)?;
+            for &other in &neighbors {
+                let delaunay = &self.state.delaunay;
+                let length = distance(delaunay.point(vertex), delaunay.point(other));
+                let exponent = (length.to_bits() >> 52) as u16;
+                starts[exponent as usize + 1] += 1;
+                edges.try_push(Edge { ends: [vertex, other], exponent })?;
             }
         }
         for at in 1..starts.len() {
@@ -133,11 +123,36 @@ impl Mesher<'_, '_, 2> {
         });
         Ok(collected(sorted)?)
     }
+
+    /// Finds the neighbours of a vertex that are of later numbers. Those of the outer cage have
+    /// none, and are none.
+    fn find_later_neighbors(
+        &mut self,
+        vertex: VertexId,
+        neighbors: &mut Vec<VertexId>,
+    ) -> AllocResult<()> {
+        neighbors.clear();
+        let State { delaunay, hierarchy, .. } = &mut self.state;
+        if hierarchy.cage_of(vertex).is_valid() {
+            return Ok(());
+        }
+        delaunay.star(vertex, &mut self.scratch.star)?;
+        for &simplex in &self.scratch.star {
+            for &other in delaunay.complex().vertices(simplex) {
+                if other.is_valid() && other > vertex && !hierarchy.cage_of(other).is_valid() {
+                    neighbors.try_push(other)?;
+                }
+            }
+        }
+        neighbors.sort_unstable();
+        neighbors.dedup();
+        Ok(())
+    }
 }
 
-impl State<2> {
+impl<const D: usize> State<D> {
     /// Returns a group for each vertex.
-    fn single_groups(&self) -> AllocResult<Clusters> {
+    fn single_groups(&self) -> AllocResult<Clusters<D>> {
         let count = self.delaunay.point_count() as u32;
         let groups = (0..count).map(|vertex| {
             let x = *self.delaunay.point(VertexId::new(vertex as usize));
@@ -153,10 +168,10 @@ impl State<2> {
     }
 
     /// Makes a group a cluster if it is concentrated, `gap` being as far as the others are.
-    fn note_cluster(&self, clusters: &mut Clusters, group: u32, gap: f64) -> AllocResult<()> {
+    fn note_cluster(&self, clusters: &mut Clusters<D>, group: u32, gap: f64) -> AllocResult<()> {
         let Group { low, high, first, is_many, .. } = clusters.groups[group as usize];
         // Before all that takes longer: the cage is larger than the box, and the gap than the cage.
-        if !is_many || (0..2).any(|axis| high[axis] - low[axis] > gap) {
+        if !is_many || (0..D).any(|axis| high[axis] - low[axis] > gap) {
             return Ok(());
         }
         let middle = std::array::from_fn(|axis| 0.5 * low[axis] + 0.5 * high[axis]);
@@ -176,7 +191,7 @@ impl State<2> {
             if is_low { low[axis] } else { high[axis] }
         });
         let reach = distance(corner, &farthest);
-        match self.concentrated_radius(center, reach, gap, ROOM) {
+        match self.concentrated_radius(center, reach, gap, room::<D>()) {
             Some(radius) => {
                 clusters.add(group, CageSite { center, radius, parent: ROOT, inner: None })
             }
@@ -185,7 +200,7 @@ impl State<2> {
     }
 
     /// Makes the domains of all clusters, outer ones first, and puts their vertices into them.
-    fn make_domains(&mut self, clusters: &Clusters) -> Result<()> {
+    fn make_domains_of(&mut self, clusters: &Clusters<D>) -> AllocResult<()> {
         let Clusters { sites, cluster_of, .. } = clusters;
         let vertices = cluster_of.len() - sites.len();
         let domain_of = |item: usize| match cluster_of[item] {
@@ -207,7 +222,7 @@ impl State<2> {
     }
 }
 
-impl Clusters {
+impl<const D: usize> Clusters<D> {
     /// Returns the vertex that the group of `vertex` is found by.
     fn group_of(&mut self, vertex: VertexId) -> u32 {
         let mut at = vertex.index();

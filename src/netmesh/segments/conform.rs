@@ -6,6 +6,7 @@ use crate::error::Result;
 use crate::memory::{TryGrow, filled, with_capacity};
 use crate::mesh::{Arrangement, Subsegment};
 use crate::netmesh::state::Mesher;
+use crate::netmesh::state::hierarchy::DomainId;
 use crate::netmesh::state::segments::chain::{Chains, Line};
 
 impl Mesher<'_, '_, 2> {
@@ -18,7 +19,14 @@ impl Mesher<'_, '_, 2> {
     ) -> Result<()> {
         self.begin_to_conform(arrangement, &[], cavity)?;
         let lines = self.lines_of(arrangement, cavity)?;
-        self.cage_clusters(&lines, cavity)?;
+        self.make_domains()?;
+        for line in &lines {
+            self.watch.poll_after(1)?;
+            self.leave_domains(line.ends[0], line.ends[1])?;
+        }
+        for domain in (1..self.state.hierarchy.len()).map(DomainId::new) {
+            self.make_cage(domain, cavity)?;
+        }
         let count = self.state.delaunay.point_count();
         self.state.segments.chains = Chains::new(lines, count, &mut self.watch)?;
         self.state.find_sharp_ends()?;

@@ -4,12 +4,12 @@ import numpy as np
 import pyvista
 from PIL import Image
 
-PANEL, COLORS, COUNT = (420, 460), "inferno", 128
+PANEL, COLORS, COUNT = (420, 460), "plasma", 128
 # Of each scan: the way to the eye, what is up, and the normal of the plane behind which the mesh is kept.
 VIEWS = {
     "3holes": ((0.3, -0.35, 1), (0, 1, 0), (0, 0, 1)),
-    "quadknot": ((0.2, -0.5, 1), (0, 1, 0), (0, 0, 1)),
-    "humanoid": ((0.35, -1, 0.3), (0, 0, 1), (0, -1, 0)),
+    "quadknot": ((0.1, -0.3, 1), (0, 1, 0), (0, 0, 1)),
+    "humanoid": ((0.25, 0.2, 1), (0, 1, 0), (0, 0, 1)),
     "horse": ((-1, 0.3, 0.2), (0, 0, 1), (-1, 0, 0)),
     "blub_triangulated": ((1, 0.3, 0.35), (0, 1, 0), (1, 0, 0)),
 }
@@ -36,7 +36,7 @@ def panel(mesh, u, scan):
     )
     plotter.camera_position = [tuple(np.array(kept.center) + np.array(eye)), kept.center, up]
     plotter.reset_camera()
-    plotter.camera.zoom(1.35)
+    plotter.camera.zoom(1.15)
     plotter.enable_anti_aliasing("ssaa")
     image = plotter.screenshot(return_img=True)
     plotter.close()

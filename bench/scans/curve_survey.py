@@ -1,17 +1,19 @@
 """Tells which edges of the curves of curves.py are found, by the crust and NN-crust on SciPy's Delaunay
 triangulation and by netmesh.
 
-    curve_survey.py INDEX [--netmesh PROGRAM] [--options "..."] > table.md
+    curve_survey.py INDEX [--netmesh PROGRAM] [--options "..."] [--open "..."] > table.md
     curve_survey.py INDEX --measure FILE [POINTS]
 
 FILE is what a tool made: OBJ with lines, OFF with faces of two vertices, or lines of two indices from 0.
 POINTS is the name of the points there, which is that of FILE if left out. Of netmesh is read what
-`netmesh POINTS --surface -o FILE.obj` writes.
+`netmesh POINTS --surface -o FILE.obj` writes, with more options: `--open "--open"` gives one to open curves alone.
+The first table counts the sets that are right of each kind, with wrong and missing ones of 1,000 edges.
 """
 import argparse
 import json
 import subprocess
 import tempfile
+from collections import defaultdict
 from pathlib import Path
 
 import numpy as np
@@ -90,33 +92,63 @@ def read_edges(path, points):
     return number[edges]
 
 
-def by_netmesh(arguments, path, points):
+def by_netmesh(arguments, record, points):
+    path = arguments.index.parent / record["points"]
+    options = arguments.options.split() + ([] if record["closed"] else arguments.open.split())
     with tempfile.TemporaryDirectory() as folder:
         out = Path(folder) / "curve.obj"
-        command = [arguments.netmesh, path, "--surface", *arguments.options.split(), "-o", out]
+        command = [arguments.netmesh, path, "--surface", *options, "-o", out]
         ended = subprocess.run([str(word) for word in command], capture_output=True, text=True)
         return read_edges(out, points) if ended.returncode == 0 and out.exists() else None
 
 
-def cell(edges, record):
-    if edges is None:
+def cell(result):
+    if result is None:
         return "fails"
-    result = measure_curve(edges, record)
     told = f"{result['wrong']} wrong, {result['missing']} missing"
     return "right" if result["wrong"] == result["missing"] == 0 else told
 
 
-def print_table(arguments, records):
+def kind(record):
+    """Returns the row of the first table: smooth curves by their ratio, others by how they are sampled."""
+    name, _, how = Path(record["points"]).stem.partition("_")
+    if record["ratio"]:
+        return f"{'circles, ellipses, flower' if record['closed'] else 'spiral'}, ratio {record['ratio']}"
+    how = how.lstrip("0123456789_") or how
+    return f"{name + 's' * (name in ('corner', 'island'))}, {how.replace('_', ' ')}"
+
+
+def summary_cell(results):
+    made = [result for result in results if result is not None]
+    right = sum(cell(result) == "right" for result in results)
+    edges = sum(result["right"] + result["missing"] for result in made)
+    if right == len(results):
+        return f"{right}"
+    wrong, missing = (1000 * sum(result[key] for result in made) / max(edges, 1) for key in ("wrong", "missing"))
+    return f"{right}; {wrong:.0f}, {missing:.0f}"
+
+
+def print_rows(head, rows):
+    print(f"| {' | '.join(head)} |\n|{'---|' * len(head)}")
+    for row in rows:
+        print(f"| {' | '.join(row)} |")
+
+
+def print_tables(arguments, records):
     tools = {"crust": lambda _, points: crust(points), "NN-crust": lambda _, points: nearest_neighbor_crust(points)}
     if arguments.netmesh:
-        tools["netmesh"] = lambda path, points: by_netmesh(arguments, path, points)
-    print(f"| points | edges | {' | '.join(tools)} |")
-    print(f"|---|---{'|---' * len(tools)}|")
+        tools["netmesh"] = lambda record, points: by_netmesh(arguments, record, points)
+    rows, kinds = [], defaultdict(list)
     for record in records:
-        path = arguments.index.parent / record["points"]
-        points = np.loadtxt(path)
-        cells = [cell(tool(path, points), record) for tool in tools.values()]
-        print(f"| {path.stem} | {len(record['edges'])} | {' | '.join(cells)} |")
+        points = np.loadtxt(arguments.index.parent / record["points"])
+        edges = [tool(record, points) for tool in tools.values()]
+        results = [None if own is None else measure_curve(own, record) for own in edges]
+        rows.append([Path(record["points"]).stem, str(len(record["edges"])), *map(cell, results)])
+        kinds[kind(record)].append(results)
+    counts = ([name, str(len(own)), *map(summary_cell, zip(*own))] for name, own in kinds.items())
+    print_rows(["kind", "sets", *tools], counts)
+    print()
+    print_rows(["points", "edges", *tools], rows)
 
 
 def main():
@@ -124,11 +156,12 @@ def main():
     parser.add_argument("index", type=Path)
     parser.add_argument("--netmesh")
     parser.add_argument("--options", default="")
+    parser.add_argument("--open", default="")
     parser.add_argument("--measure", nargs="+")
     arguments = parser.parse_args()
     records = json.loads(arguments.index.read_text())
     if not arguments.measure:
-        return print_table(arguments, records)
+        return print_tables(arguments, records)
     name = Path(arguments.measure[-1]).name
     name = name.removesuffix(".xy") if len(arguments.measure) == 2 else name.rpartition(".")[0]
     record = next(record for record in records if record["points"] == f"{name}.xy")

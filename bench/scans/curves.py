@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 from scipy.spatial import cKDTree
 
-RATIOS = [0.1, 0.2, 0.25, 0.33, 0.4, 0.5, 0.7]
+RATIOS = [0.1, 0.2, 0.25, 0.33, 0.4, 0.5, 0.7, 0.9]
 CORNERS = [120, 90, 60, 30, 10]
 # Points that stand for a smooth curve, and those whose medial balls are found.
 DENSE, MEDIAL = 100_000, 4_000

@@ -124,3 +124,23 @@ def test_a_box_of_points_has_the_solution_of_the_cube():
     # 0.05621 by the series of the cube; linear elements stay below.
     assert 0.0550 < largest < 0.0563
     assert mesh.quality().below_min_dihedral == 0
+
+
+def test_a_scan_becomes_a_part_with_heat_in_it():
+    surface, mesh, u, came_in, there = example("scan", "skfem", "scipy").main(10_000)
+    assert surface.genera == (1,) and len(surface.vertices) > 1_500
+    surface.validate()
+    assert mesh.volumes.sum() == pytest.approx(surface.volume, rel=1e-12)
+    # Pappus: a disc of radius 0.3 that goes round a circle of radius 1; points inside make it smaller.
+    assert 0.95 < surface.volume / (2 * np.pi * np.pi * 0.3**2) < 1
+    assert came_in == pytest.approx(there, rel=1e-10) and 0 < there < surface.volume
+    assert -1e-3 < u.min() and u.max() == pytest.approx(1)
+    # Cosines between facets, of whose normals the gradients of barycentric coordinates are.
+    corners = mesh.points[mesh.simplices]
+    normals = np.linalg.inv(corners[:, 1:] - corners[:, :1]).transpose(0, 2, 1)
+    normals = np.concatenate([normals, -normals.sum(axis=1, keepdims=True)], axis=1)
+    normals /= np.linalg.norm(normals, axis=2, keepdims=True)
+    cosines = normals @ normals.transpose(0, 2, 1)
+    is_thin = cosines.min(axis=(1, 2), where=~np.eye(4, dtype=bool), initial=1) < -np.cos(np.radians(9.99))
+    is_on_surface = np.isin(mesh.simplices, mesh.hull.vertices).all(axis=1)
+    assert not (is_thin & ~is_on_surface).any() and is_thin.sum() < len(mesh.simplices) / 500

@@ -99,6 +99,10 @@ void check_bowl() {
     });
     CHECK(static_cast<std::uint64_t>(alone) == 2 * measures.vertices - 2 - measures.facets && alone > 10);
     const auto sampling = surface.sampling();
+    std::uint64_t needed = 0;
+    std::vector<double> copied(1000);
+    CHECK(nm_mesh_get_surface_sampling(mesh.get(), NM_SURFACE_OPEN, copied.data(), copied.size(), &needed) == NM_OK);
+    CHECK(needed == 1000 && copied == sampling);
     CHECK(sampling.size() == 1000);
     CHECK(static_cast<std::uint64_t>(std::count_if(sampling.begin(), sampling.end(), [](double r) { return r > 1; })) ==
           measures.sparse);

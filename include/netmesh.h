@@ -165,7 +165,7 @@
 /** The initial value of an nm_alpha_shape. */
 #define NM_ALPHA_SHAPE_INIT { sizeof(nm_alpha_shape), 0, 0, 0, 0, 0, { 0 }, { 0 } }
 /** The initial value of an nm_surface. */
-#define NM_SURFACE_INIT { sizeof(nm_surface), 0, 0, 0, 0, 0, 0, 0 }
+#define NM_SURFACE_INIT { sizeof(nm_surface), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 /** The initial value of an nm_region. */
 #define NM_REGION_INIT { sizeof(nm_region), 0, { 0, 0, 0 }, 0, 0, 0 }
 /** The initial value of an nm_intersection, of which the first in an array needs one. */
@@ -1229,6 +1229,27 @@ typedef int32_t nm_status;
 #endif // __cplusplus
 
 /**
+ * Surfaces that nm_mesh_surface and its like find through the inputs.
+ */
+enum nm_surface_kind
+#ifdef __cplusplus
+  : int32_t
+#endif // __cplusplus
+ {
+    /**
+     * Closed surfaces (in 2D closed curves), the boundary of what is inside.
+     */
+    NM_SURFACE_CLOSED = 0,
+    /**
+     * Surfaces (in 2D curves) that may end, or have one side alone.
+     */
+    NM_SURFACE_OPEN = 1,
+};
+#ifndef __cplusplus
+typedef int32_t nm_surface_kind;
+#endif // __cplusplus
+
+/**
  * Origin of a vertex: the values of the bytes that nm_mesh_get_vertex_kinds writes.
  */
 enum nm_vertex_kind
@@ -1691,8 +1712,8 @@ typedef struct nm_surface {
      */
     uint32_t reserved;
     /**
-     * The volume that it encloses (an area in 2D), in the unit of the coordinates to the power
-     * dim.
+     * The volume that a closed one encloses (an area in 2D), in the unit of the coordinates to the
+     * power dim; 0 for an open one.
      */
     double volume;
     /**
@@ -1708,13 +1729,26 @@ typedef struct nm_surface {
      */
     uint64_t left_out;
     /**
-     * Number of connected parts: closed surfaces in 3D, closed curves in 2D.
+     * Number of connected parts, called shells.
      */
     uint64_t shells;
     /**
-     * Number of handles of all shells: 0 for a sphere, 1 for a torus; 0 in 2D.
+     * Number of handles of all shells that have two sides: 0 for a sphere, 1 for a torus; 0 in 2D.
      */
     uint64_t handles;
+    /**
+     * Number of closed curves at which shells end: 1 for a disk, 2 for a tube; in 2D of points, 2
+     * for a curve. 0 for a closed one.
+     */
+    uint64_t ends;
+    /**
+     * Number of shells that have one side alone, as a Moebius strip has.
+     */
+    uint64_t one_sided;
+    /**
+     * Number of vertices where nm_mesh_get_surface_sampling is above 1: what is there is a guess.
+     */
+    uint64_t sparse;
 } nm_surface;
 
 /**
@@ -3172,34 +3206,42 @@ nm_status nm_export_alpha_shape(const struct nm_mesh *mesh,
                                 const char *path_utf8);
 
 /**
- * Finds the surface that the inputs were sampled from, and measures it: a closed surface in 3D,
- * closed curves in 2D. No normals are asked for. It is the boundary of some simplices, so it is
- * watertight, has no intersections, is oriented, and its vertices are inputs; it is a manifold.
- * Outliers, and inputs that noise moved off it, are left out.
+ * Finds the surface that the inputs were sampled from, and measures it: a surface in 3D, curves in
+ * 2D. No normals are asked for. Its facets are faces of the Delaunay triangulation, so it has no
+ * intersections, and its vertices are inputs; it is a manifold. Outliers, and inputs that noise
+ * moved off it, are left out.
+ *
+ * kind: NM_SURFACE_CLOSED for the boundary of some simplices, which is watertight and oriented
+ * outwards; a surface that ends is closed somehow. NM_SURFACE_OPEN for one that may end or have
+ * one side alone: it has no facet with a circumradius of more than five distances of points, which
+ * is where it ends, and is oriented where it has two sides.
  *
  * It has the topology of the surface that was sampled, where that is sampled densely for its
- * curvature and thickness. A surface that is open is closed somehow.
+ * curvature and thickness.
  *
  * surface: the caller sets struct_size. No facets mean that the inputs tell of no inside.
  *
- * Errors: NM_NULL_ARGUMENT (mesh, surface), NM_INVALID_ARGUMENT (a mesh of four dimensions or
- * more; a vertex is no input: the message says what to do; surface->struct_size), NM_LIMIT (more
- * than 2^30 simplices), NM_OUT_OF_MEMORY, NM_STATE (no result yet, nm_run at work, poisoned).
+ * Errors: NM_NULL_ARGUMENT (mesh, surface), NM_INVALID_ARGUMENT (kind; a mesh of four dimensions
+ * or more; a vertex is no input: the message says what to do; surface->struct_size), NM_LIMIT
+ * (more than 2^30 simplices), NM_OUT_OF_MEMORY, NM_STATE (no result yet, nm_run at work,
+ * poisoned).
  *
- * O(simplices log simplices) for the first call of this group after a run.
+ * O(simplices log simplices) for the first call of this group with a kind after a run.
  */
 NM_NODISCARD NM_API
 nm_status nm_mesh_surface(const struct nm_mesh *mesh,
+                          nm_surface_kind kind,
                           struct nm_surface *surface);
 
 /**
  * Writes the facets of the surface: facets x dim inputs, numbers of the caller's points, of equal
- * ones the first; oriented outwards as by nm_mesh_get_hull.
+ * ones the first; those of closed shells are oriented outwards as by nm_mesh_get_hull.
  *
  * Array getter, see the top of this file. Errors: as nm_mesh_surface; NM_CAPACITY.
  */
 NM_NODISCARD NM_API
 nm_status nm_mesh_get_surface_facets(const struct nm_mesh *mesh,
+                                     nm_surface_kind kind,
                                      uint32_t *buf,
                                      uint64_t capacity,
                                      uint64_t *needed);
@@ -3211,24 +3253,43 @@ nm_status nm_mesh_get_surface_facets(const struct nm_mesh *mesh,
  */
 NM_NODISCARD NM_API
 nm_status nm_mesh_get_surface_left_out(const struct nm_mesh *mesh,
+                                       nm_surface_kind kind,
                                        uint32_t *buf,
                                        uint64_t capacity,
                                        uint64_t *needed);
 
 /**
  * Writes the number of handles of each shell of the surface, in the order of their first vertices:
- * 0 for a sphere, 1 for a torus; 0 in 2D.
+ * 0 for a sphere, 1 for a torus; 0 in 2D; of a shell with one side its crosscaps, 1 for a Moebius
+ * strip.
  *
  * Array getter, see the top of this file. Errors: as nm_mesh_surface; NM_CAPACITY.
  */
 NM_NODISCARD NM_API
 nm_status nm_mesh_get_surface_genera(const struct nm_mesh *mesh,
+                                     nm_surface_kind kind,
                                      uint64_t *buf,
                                      uint64_t capacity,
                                      uint64_t *needed);
 
 /**
- * Writes for each simplex 1 if the surface has it inside, else 0.
+ * Writes for each vertex how sparse the inputs are there for the surface: the largest circumradius
+ * of its facets (in 2D half the longest of its edges) over the distance to the nearest pole of
+ * their vertices, which stands for the local feature size. 0.3 and less is dense; above 1 the
+ * surface is a guess. At sharp edges, and with noise, it is large. NaN for a vertex that is left
+ * out. The vertices are those of nm_mesh_get_points.
+ *
+ * Array getter, see the top of this file. Errors: as nm_mesh_surface; NM_CAPACITY.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_surface_sampling(const struct nm_mesh *mesh,
+                                       nm_surface_kind kind,
+                                       double *buf,
+                                       uint64_t capacity,
+                                       uint64_t *needed);
+
+/**
+ * Writes for each simplex 1 if the closed surface has it inside, else 0.
  *
  * Array getter, see the top of this file. Errors: as nm_mesh_surface; NM_CAPACITY.
  */
@@ -3239,9 +3300,9 @@ nm_status nm_mesh_get_surface_insides(const struct nm_mesh *mesh,
                                       uint64_t *needed);
 
 /**
- * Checks the triangulation as nm_mesh_validate does at level 3, and the surface: it is closed,
- * oriented and a manifold, its facets are faces of the triangulation, and each vertex is on it or
- * left out.
+ * Checks the triangulation as nm_mesh_validate does at level 3, and the surface: it is a manifold,
+ * closed unless it is NM_SURFACE_OPEN, and oriented unless a shell has one side; its facets are
+ * faces of the triangulation, and each vertex is on it or left out.
  *
  * report: the caller sets struct_size.
  *
@@ -3250,6 +3311,7 @@ nm_status nm_mesh_get_surface_insides(const struct nm_mesh *mesh,
  */
 NM_NODISCARD NM_API
 nm_status nm_mesh_validate_surface(const struct nm_mesh *mesh,
+                                   nm_surface_kind kind,
                                    struct nm_report *report);
 
 /**
@@ -3263,7 +3325,10 @@ nm_status nm_mesh_validate_surface(const struct nm_mesh *mesh,
  * not UTF-8, or with another extension; STL in 2D, or where single precision makes two corners of
  * a triangle one), NM_IO (the message has the system's reason).
  */
-NM_NODISCARD NM_API nm_status nm_export_surface(const struct nm_mesh *mesh, const char *path_utf8);
+NM_NODISCARD NM_API
+nm_status nm_export_surface(const struct nm_mesh *mesh,
+                            nm_surface_kind kind,
+                            const char *path_utf8);
 
 /**
  * Gives the inputs values under a name. Exports to VTU, TetGen, Gmsh, PLY, CSV, NumPy and HTML

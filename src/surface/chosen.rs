@@ -43,7 +43,7 @@ impl Link {
 
     /// Returns the number of facets on the way from one vertex to another across ridges of the
     /// link's vertex; none if there is no way.
-    fn path(&self, from: u32, to: u32) -> Option<usize> {
+    fn steps_between(&self, from: u32, to: u32) -> Option<usize> {
         let (mut at, mut last) = (from, usize::MAX);
         for length in 0.. {
             if at == to && length > 0 {
@@ -58,8 +58,8 @@ impl Link {
         None
     }
 
-    /// Numbers the fans of facets that are connected across ridges of the link's vertex, and
-    /// returns for each facet its fan and how many fans there are.
+    /// Finds the fans of facets that are connected across ridges of the link's vertex: writes for
+    /// each facet its fan, and returns how many fans there are.
     pub fn fans(&self, is_plane: bool, fans: &mut Vec<u32>) -> AllocResult<u32> {
         fans.clear();
         let mut count = 0;
@@ -90,8 +90,8 @@ impl Link {
 }
 
 impl<const D: usize> Chosen<'_, D> {
-    /// Collects the chosen facets of a vertex.
-    pub fn collect(&self, vertex: u32, link: &mut Link) -> AllocResult<()> {
+    /// Reads the chosen facets of a vertex into its link.
+    pub fn read_link(&self, vertex: u32, link: &mut Link) -> AllocResult<()> {
         link.facets.clear();
         for &simplex in self.stars.of(vertex as usize) {
             let vertices = self.view.simplex(simplex);
@@ -111,13 +111,14 @@ impl<const D: usize> Chosen<'_, D> {
         let vertices = vertices_of(self.view, at);
         let mut open = 0;
         for vertex in vertices {
-            self.collect(vertex, link)?;
+            self.read_link(vertex, link)?;
             let [a, b] = rest(vertices, vertex);
             let is_free = match b {
                 NONE => link.facets.len() < 2,
                 _ => link.degree(a) < 2 && link.degree(b) < 2,
             };
-            let closes_all = b == NONE || link.path(a, b).is_none_or(|n| n == link.facets.len());
+            let closes_all =
+                b == NONE || link.steps_between(a, b).is_none_or(|n| n == link.facets.len());
             if !is_free || !closes_all || self.is_fold(vertex, [a, b], link) {
                 return Ok(None);
             }

@@ -74,7 +74,7 @@ impl<'a, const D: usize> Sizes<'a, D> {
         let none = [(f64::INFINITY, NONE); NEAREST];
         let mut nearest = filled(view.mesh.vertex_count(), none)?;
         let mut sizes = Self { view, unit, distances: Vec::new() };
-        umbrellas.for_each(|at, vertex| {
+        umbrellas.for_each_member(|at, vertex| {
             for other in vertices_of(view, at).into_iter().filter(|&other| other != vertex) {
                 let nearest = &mut nearest[vertex as usize];
                 let length = norm(&unit.difference(view.point(vertex), view.point(other)));
@@ -145,7 +145,7 @@ fn missing<const D: usize>(chosen: &Chosen<'_, D>) -> AllocResult<Vec<usize>> {
     let mut is_end = filled(view.mesh.vertex_count(), false)?;
     let mut link = Link::default();
     for vertex in 0..is_end.len() as u32 {
-        chosen.collect(vertex, &mut link)?;
+        chosen.read_link(vertex, &mut link)?;
         is_end[vertex as usize] = link.has_end();
     }
     let mut missing = Vec::new();
@@ -165,7 +165,7 @@ fn prune<const D: usize>(chosen: &mut Chosen<'_, D>) -> AllocResult<()> {
     let mut waiting = VecDeque::new();
     (0..chosen.view.mesh.vertex_count() as u32).try_for_each(|v| enqueue(&mut waiting, v))?;
     while let Some(vertex) = waiting.pop_front() {
-        chosen.collect(vertex, &mut link)?;
+        chosen.read_link(vertex, &mut link)?;
         let count = link.fans(D == 2, &mut fans)?;
         let size = |fan: u32| fans.iter().filter(|&&other| other == fan).count();
         // Of fans of one size the first.

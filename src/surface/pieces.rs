@@ -1,5 +1,5 @@
-//! Pieces: simplices of one side that are connected across facets, and the interfaces between two of
-//! them. What no vertices support is no part of the surface: what outliers enclose, and slivers.
+//! Pieces: simplices of one side that are connected across facets, and the interfaces between two
+//! of them. What no vertices support is no part of the surface: what outliers enclose, and slivers.
 
 use super::forest::SignedForest;
 use super::poles::Poles;

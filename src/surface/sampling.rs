@@ -1,4 +1,4 @@
-//! How dense the points are for the surface: the distances between them beside the local feature
+//! Density of the points for the surface: the distances between them beside the local feature
 //! size, which is the distance to the medial axis (N. Amenta and M. Bern, "Surface reconstruction
 //! by Voronoi filtering", 1999). Poles are near the medial axis.
 

@@ -51,7 +51,7 @@ impl<'a, const D: usize> Umbrellas<'a, D> {
         let mut watershed = Watershed::default();
         for (vertex, poles) in (0..).zip(poles).filter(|(_, poles)| poles.second != NONE) {
             let star = stars.of(vertex as usize);
-            watershed.part(view, depths, vertex, star, poles)?;
+            watershed.part_star(view, depths, vertex, star, poles)?;
             let second = watershed.root(place(star, poles.second));
             for (at, &simplex) in (0..).zip(star) {
                 let bit = u8::from(watershed.root(at) == second);
@@ -71,7 +71,7 @@ impl<'a, const D: usize> Umbrellas<'a, D> {
 
     /// Calls a function with the first place of each facet that is in an umbrella, and with each
     /// vertex that has it there.
-    pub fn for_each(&self, mut call: impl FnMut(usize, u32)) {
+    pub fn for_each_member(&self, mut call: impl FnMut(usize, u32)) {
         for (at, having) in self.having.iter().enumerate().filter(|(_, having)| **having != 0) {
             let vertices = (0..).zip(self.view.simplex((at / (D + 1)) as u32));
             let having = vertices.filter(|(k, _)| having >> k & 1 == 1);
@@ -84,7 +84,7 @@ impl<'a, const D: usize> Umbrellas<'a, D> {
     pub fn agreements(&self) -> AllocResult<Vec<f64>> {
         let count = self.view.mesh.vertex_count();
         let (mut all, mut agreed) = (filled(count, 0u32)?, filled(count, 0u32)?);
-        self.for_each(|at, vertex| {
+        self.for_each_member(|at, vertex| {
             all[vertex as usize] += 1;
             agreed[vertex as usize] += u32::from(self.votes(at) == D as u32);
         });
@@ -96,7 +96,7 @@ impl<'a, const D: usize> Umbrellas<'a, D> {
 impl Watershed {
     /// Parts the star of a vertex: its simplices join, the deepest balls first, but for the sets of
     /// the two poles.
-    fn part<const D: usize>(
+    fn part_star<const D: usize>(
         &mut self,
         view: View<'_, D>,
         depths: &[f64],
@@ -104,7 +104,7 @@ impl Watershed {
         star: &[u32],
         poles: &Poles,
     ) -> AllocResult<()> {
-        self.collect(view, depths, vertex, star)?;
+        self.add_steps(view, depths, vertex, star)?;
         self.steps.sort_unstable_by(|a, b| b.depth.total_cmp(&a.depth));
         self.above.clear();
         (0..=star.len() as u32).try_for_each(|at| self.above.try_push(at))?;
@@ -120,7 +120,7 @@ impl Watershed {
     }
 
     /// Collects the steps between simplices of a star across facets that its vertex has.
-    fn collect<const D: usize>(
+    fn add_steps<const D: usize>(
         &mut self,
         view: View<'_, D>,
         depths: &[f64],

@@ -131,19 +131,19 @@ void check_c_functions(const std::string& scratch) {
     const nm_mesh* mesh = held.get();
     nm_surface measures = NM_SURFACE_INIT;
     nm_report report = NM_REPORT_INIT;
-    CHECK(nm_mesh_surface(mesh, &measures) == NM_OK && measures.handles == 1);
-    CHECK(nm_mesh_surface(mesh, nullptr) == NM_NULL_ARGUMENT);
-    CHECK(nm_mesh_validate_surface(mesh, &report) == NM_OK && report.violations == 0);
+    CHECK(nm_mesh_surface(mesh, NM_SURFACE_CLOSED, &measures) == NM_OK && measures.handles == 1);
+    CHECK(nm_mesh_surface(mesh, NM_SURFACE_CLOSED, nullptr) == NM_NULL_ARGUMENT);
+    CHECK(nm_mesh_validate_surface(mesh, NM_SURFACE_CLOSED, &report) == NM_OK && report.violations == 0);
     std::uint64_t needed = 0;
-    CHECK(nm_mesh_get_surface_facets(mesh, nullptr, 0, &needed) == NM_OK && needed == 3 * measures.facets);
-    CHECK(nm_mesh_get_surface_left_out(mesh, nullptr, 0, &needed) == NM_OK && needed == 2);
-    CHECK(nm_mesh_get_surface_genera(mesh, nullptr, 0, &needed) == NM_OK && needed == 1);
+    CHECK(nm_mesh_get_surface_facets(mesh, NM_SURFACE_CLOSED, nullptr, 0, &needed) == NM_OK && needed == 3 * measures.facets);
+    CHECK(nm_mesh_get_surface_left_out(mesh, NM_SURFACE_CLOSED, nullptr, 0, &needed) == NM_OK && needed == 2);
+    CHECK(nm_mesh_get_surface_genera(mesh, NM_SURFACE_CLOSED, nullptr, 0, &needed) == NM_OK && needed == 1);
     CHECK(nm_mesh_get_surface_insides(mesh, nullptr, 0, &needed) == NM_OK);
     CHECK(needed == held.counts().simplices);
     std::uint32_t one = 7;
-    CHECK(nm_mesh_get_surface_left_out(mesh, &one, 1, &needed) == NM_CAPACITY && one == 7);
-    CHECK(nm_export_surface(mesh, (scratch + "/torus.obj").c_str()) == NM_OK);
-    CHECK(nm_export_surface(mesh, "torus.vtu") == NM_INVALID_ARGUMENT);
+    CHECK(nm_mesh_get_surface_left_out(mesh, NM_SURFACE_CLOSED, &one, 1, &needed) == NM_CAPACITY && one == 7);
+    CHECK(nm_export_surface(mesh, NM_SURFACE_CLOSED, (scratch + "/torus.obj").c_str()) == NM_OK);
+    CHECK(nm_export_surface(mesh, NM_SURFACE_CLOSED, "torus.vtu") == NM_INVALID_ARGUMENT);
 }
 
 }  // namespace

@@ -46,6 +46,36 @@ fn what_it_encloses_is_meshed() {
 }
 
 #[test]
+fn an_open_surface_ends() {
+    let bench = Workbench::new("surface_open");
+    let upper = |line: &&str| line.split(' ').nth(2).is_some_and(|z| !z.starts_with('-'));
+    let bowl: Vec<String> = sphere().lines().filter(upper).map(str::to_owned).collect();
+    bench.write("bowl.xyz", &bowl.join("\n"));
+    let outcome = bench.run("bowl.xyz --surface --open -o bowl.off --json bowl.json --validate");
+    outcome.assert_success();
+    assert!(
+        outcome.stdout.contains(" triangles, 1 shell, 0 handles, 1 end\n"),
+        "{}",
+        outcome.stdout
+    );
+    let json = bench.read("bowl.json");
+    for part in ["\"left_out\": 1", "\"ends\": 1", "\"is_one_sided\": false"] {
+        assert!(json.contains(part), "{part}: {json}");
+    }
+    let closed = bench.run("bowl.xyz --surface");
+    assert!(closed.stdout.contains("1 shell, 0 handles, volume 1.99"), "{}", closed.stdout);
+    let outcome = bench.run("bowl.xyz --surface --open --volume");
+    assert!(
+        outcome.stderr.contains("'--open' cannot be used with '--volume'"),
+        "{}",
+        outcome.stderr
+    );
+    bench.write("arc.xyz", "1 0\n0.7 0.7\n0 1\n-0.7 0.7\n-1 0\n");
+    let outcome = bench.run("arc.xyz --surface --open");
+    assert!(outcome.stdout.contains("4 edges, 1 curve, 2 ends"), "{}", outcome.stdout);
+}
+
+#[test]
 fn curves_close_in_the_plane() {
     let bench = Workbench::new("surface_plane");
     bench.write("square.xyz", "0 0\n1 0\n1 1\n0 1\n");

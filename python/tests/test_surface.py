@@ -56,6 +56,36 @@ def test_the_way_goes_on_to_a_mesh_and_to_files(tmp_path):
     assert (again.faces == found.faces).all() and (copy.deepcopy(found).faces == found.faces).all()
 
 
+def test_an_open_surface_ends_where_its_points_do():
+    random = np.random.default_rng(2)
+    u, v = random.random((2, 3000))
+    tube = np.c_[np.cos(2 * np.pi * u), np.sin(2 * np.pi * u), 3 * v]
+    found = netmesh.surface(tube, closed=False)
+    assert not found.closed and found.genera == (0,) and found.is_one_sided == (False,)
+    outside = trimesh.Trimesh(found.vertices, found.faces, process=False)
+    assert outside.is_winding_consistent and not outside.is_watertight
+    assert outside.euler_number == 2 - sum(found.ends)
+    loops = outside.outline().entities
+    assert len(loops) == sum(found.ends) == 2
+    assert found.volume == 0 and not found.is_inside.any() and "ends (2,)" in repr(found)
+    assert pickle.loads(pickle.dumps(found)).ends == found.ends
+    found.validate()
+
+
+def test_sampling_is_the_circumradius_over_the_distance_to_the_poles():
+    points = on_torus(3000)
+    found = netmesh.surface(points)
+    assert found.sampling.shape == (len(found.vertices),)
+    a, b, c = (found.vertices[found.faces[:, k]] for k in range(3))
+    lengths = [np.linalg.norm(x - y, axis=1) for x, y in ((a, b), (b, c), (c, a))]
+    radii = np.prod(lengths, axis=0) / (2 * np.linalg.norm(np.cross(b - a, c - a), axis=1))
+    largest = np.zeros(len(found.vertices))
+    np.maximum.at(largest, found.faces.ravel(), np.repeat(radii, 3))
+    # The medial axis of the tube is 0.4 away, which a few poles fall short of.
+    sizes = largest / found.sampling
+    assert np.median(sizes) == pytest.approx(0.4, rel=0.05) and (sizes < 0.41).all()
+
+
 def test_what_has_no_surface_is_refused_by_name():
     with pytest.raises(netmesh.InvalidArgumentError, match="4 dimensions"):
         netmesh.surface(np.random.default_rng(0).random((30, 4)))

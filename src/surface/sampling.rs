@@ -29,5 +29,5 @@ pub fn ratios<const D: usize>(
             }
         }
     }
-    Ok(collected(sizes.into_iter().map(|(largest, nearest)| largest / nearest))?)
+    collected(sizes.into_iter().map(|(largest, nearest)| largest / nearest))
 }

@@ -89,7 +89,7 @@ impl<'a, const D: usize> Umbrellas<'a, D> {
             agreed[vertex as usize] += u32::from(self.votes(at) == D as u32);
         });
         let part = |(agreed, all): (u32, u32)| f64::from(agreed) / f64::from(all.max(1));
-        Ok(collected(agreed.into_iter().zip(all).map(part))?)
+        collected(agreed.into_iter().zip(all).map(part))
     }
 }
 

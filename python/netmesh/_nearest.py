@@ -116,7 +116,7 @@ class NearestNDInterpolator:
         if given.get("p", 2) != 2:
             raise InvalidArgumentError(f"p is {given['p']}; only 2, the Euclidean distance, is supported")
         # No distance is too large without a bound.
-        bound = np.finfo(float).max
+        bound = float(np.finfo(float).max)
         if "distance_upper_bound" in given:
             bound = min(number(given["distance_upper_bound"], "distance_upper_bound"), bound)
         workers = given.get("workers", None)

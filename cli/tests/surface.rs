@@ -70,9 +70,10 @@ fn an_open_surface_ends() {
         "{}",
         outcome.stderr
     );
-    bench.write("arc.xyz", "1 0\n0.7 0.7\n0 1\n-0.7 0.7\n-1 0\n");
+    let arc = (0..40).map(|i| f64::from(i) * 0.08).map(|t| format!("{} {}\n", t.cos(), t.sin()));
+    bench.write("arc.xyz", &arc.collect::<String>());
     let outcome = bench.run("arc.xyz --surface --open");
-    assert!(outcome.stdout.contains("4 edges, 1 curve, 2 ends"), "{}", outcome.stdout);
+    assert!(outcome.stdout.contains("39 edges, 1 curve, 2 ends"), "{}", outcome.stdout);
 }
 
 #[test]

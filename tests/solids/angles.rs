@@ -6,7 +6,7 @@ use netmesh::{Extent, Mesh, Options};
 use std::collections::BTreeMap;
 
 /// Returns the prism over a triangle with the given angle, in degrees.
-fn wedge(degrees: f64) -> Solid {
+pub fn wedge(degrees: f64) -> Solid {
     let (sine, cosine) = degrees.to_radians().sin_cos();
     let triangle = |z: f64| [[0.0, 0.0, z], [1.0, 0.0, z], [cosine, sine, z]];
     Solid {

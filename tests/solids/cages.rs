@@ -1,6 +1,7 @@
 //! Components of another scale stand in cages where output is hierarchical, and cost the same at
 //! any scale. A facet or segment that leads out of one, or passes near it, leaves no cage.
 
+use super::angles::wedge;
 use super::{Point, Solid, assert_holds, assert_none_excused, bounded, cuboid, volume};
 use netmesh::options::{Extent, Options, Output};
 use netmesh::{NONE, Region, Triangulation, VertexKind};
@@ -275,21 +276,8 @@ fn cages_go_with_all_extents_and_dihedral_angles() {
 /// surroundings are not.
 #[test]
 fn a_component_with_a_small_angle_has_forced_simplices() {
-    let (sine, cosine) = 5f64.to_radians().sin_cos();
-    let end = |x: f64| [[0.0, 0.0, x], [1.0, 0.0, x], [cosine, sine, x]];
-    let wedge = Solid {
-        points: [end(0.0), end(1.0)].concat(),
-        polygons: vec![
-            vec![0, 2, 1],
-            vec![3, 4, 5],
-            vec![0, 1, 4, 3],
-            vec![1, 2, 5, 4],
-            vec![2, 0, 3, 5],
-        ],
-        regions: Vec::new(),
-    };
     let scale = 2f64.powi(-40);
-    let mesh = cube().with(&wedge.moved(|x| x.map(|x| scale * x))).run(&hierarchical());
+    let mesh = cube().with(&wedge(5.0).moved(|x| x.map(|x| scale * x))).run(&hierarchical());
     assert_eq!(mesh.domains.len(), 2);
     assert!(!mesh.boundary.forced.is_empty());
     assert!(mesh.vertex_count() < 40, "{} vertices", mesh.vertex_count());

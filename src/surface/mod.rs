@@ -8,6 +8,7 @@
 //! | | |
 //! |---|---|
 //! | `balls` | Delaunay balls, and how deeply they intersect |
+//! | `places` | where a simplex is in the star of a vertex |
 //! | `poles` | the two far ends of each Voronoi cell |
 //! | `umbrellas` | the facets of each vertex between its sides |
 //! | `forest`, `sides` | which simplices are inside |
@@ -26,6 +27,7 @@ mod open_tests;
 mod orient;
 mod pieces;
 mod pinches;
+mod places;
 mod poles;
 mod sampling;
 mod shells;

@@ -6,8 +6,10 @@
 //! sphere about an end of the edge, a closed curve between those outside.)
 
 use super::balls::Balls;
-use crate::memory::{AllocResult, Lists, TryGrow, enqueue, filled};
+use super::places::Places;
+use crate::memory::{AllocResult, Lists, TryGrow, collected, enqueue, filled};
 use crate::mesh::NONE;
+use crate::query::view::View;
 use std::collections::VecDeque;
 
 /// Number of times that a simplex may become inside; afterwards it may leave, but not return, so
@@ -23,14 +25,18 @@ struct Pinches<'a, const D: usize> {
     returns: Vec<u8>,
     waiting: VecDeque<u32>,
     is_waiting: Vec<bool>,
+    wedges: Wedges,
 }
 
-/// Simplices round a vertex that are on one side and connected.
-#[derive(Default)]
-struct Wedge {
-    simplices: Vec<u32>,
-    /// True if it goes on beyond the hull.
-    is_open: bool,
+/// The wedges round a vertex: simplices that are on one side and connected there.
+struct Wedges {
+    places: Places,
+    /// Place in the star -> the wedge.
+    of: Vec<u32>,
+    /// Wedge -> true if it goes on beyond the hull.
+    is_open: Vec<bool>,
+    is_on_hull: bool,
+    stack: Vec<u32>,
 }
 
 /// Changes the sides of simplices until the surface is a manifold: at each vertex where it touches
@@ -49,6 +55,13 @@ pub fn unpinch<const D: usize>(
         is_inside,
         waiting: VecDeque::new(),
         is_waiting: filled(vertices, false)?,
+        wedges: Wedges {
+            places: Places::new(balls.view.mesh.simplex_count())?,
+            of: Vec::new(),
+            is_open: Vec::new(),
+            is_on_hull: false,
+            stack: Vec::new(),
+        },
     };
     // Vertices near each other, one after the other.
     balls.view.mesh.simplices.iter().try_for_each(|&vertex| pinches.wait(vertex))?;
@@ -73,18 +86,25 @@ impl<const D: usize> Pinches<'_, D> {
     }
 
     /// Returns what to change at a vertex; nothing where the surface is a manifold.
-    fn cheapest_change(&self, vertex: u32) -> AllocResult<Option<Wedge>> {
+    fn cheapest_change(&mut self, vertex: u32) -> AllocResult<Option<Vec<u32>>> {
         let star = self.stars.of(vertex as usize);
         if self.is_far(vertex, star) {
             return Ok(None);
         }
-        let wedges = self.wedges(vertex, star)?;
-        if wedges.len() <= 2 {
+        self.wedges.part_star(self.balls.view, self.is_inside, vertex, star)?;
+        if self.wedges.count() <= 2 {
             return Ok(None);
         }
-        let costs = |wedge: Wedge| (self.change_of_cost(&wedge), wedge);
-        let may_change = wedges.into_iter().filter(|wedge| self.may_change(wedge));
-        let cheapest = may_change.map(costs).min_by(|a, b| a.0.total_cmp(&b.0));
+        let mut cheapest: Option<(f64, Vec<u32>)> = None;
+        for wedge in self.wedges.closed() {
+            let simplices = collected(self.wedges.simplices(star, wedge))?;
+            let cost = self.change_of_cost(&simplices);
+            let is_cheaper =
+                cheapest.as_ref().is_none_or(|(least, _)| cost.total_cmp(least).is_lt());
+            if is_cheaper && self.may_change(&simplices) {
+                cheapest = Some((cost, simplices));
+            }
+        }
         Ok(cheapest.map(|(_, wedge)| wedge))
     }
 
@@ -102,63 +122,20 @@ impl<const D: usize> Pinches<'_, D> {
         corners.into_iter().any(|(&corner, &neighbor)| neighbor == NONE && corner != vertex)
     }
 
-    /// Returns the wedges round a vertex. If it is on the hull, what is beyond is one or joins one.
-    fn wedges(&self, vertex: u32, star: &[u32]) -> AllocResult<Vec<Wedge>> {
-        let mut wedges: Vec<Wedge> = Vec::new();
-        let mut is_taken = filled(star.len(), false)?;
-        let mut stack = Vec::new();
-        let mut is_on_hull = false;
-        for from in 0..star.len() {
-            if is_taken[from] {
-                continue;
-            }
-            is_taken[from] = true;
-            stack.try_push(star[from])?;
-            let mut wedge = Wedge::default();
-            while let Some(simplex) = stack.pop() {
-                wedge.simplices.try_push(simplex)?;
-                let side = self.is_inside[simplex as usize];
-                let view = self.balls.view;
-                for (k, &other) in view.neighbors(simplex).iter().enumerate() {
-                    if view.simplex(simplex)[k] == vertex {
-                        continue;
-                    }
-                    if other == NONE {
-                        is_on_hull = true;
-                        wedge.is_open |= !side;
-                    } else if self.is_inside[other as usize] == side {
-                        let at = star.binary_search(&other).expect("a simplex of the star");
-                        if !is_taken[at] {
-                            is_taken[at] = true;
-                            stack.try_push(other)?;
-                        }
-                    }
-                }
-            }
-            wedges.try_push(wedge)?;
-        }
-        if is_on_hull {
-            // Wedges that go on beyond the hull are one there.
-            wedges.retain(|wedge| !wedge.is_open);
-            wedges.try_push(Wedge { simplices: Vec::new(), is_open: true })?;
-        }
-        Ok(wedges)
-    }
-
-    fn may_change(&self, wedge: &Wedge) -> bool {
+    fn may_change(&self, wedge: &[u32]) -> bool {
         let may = |&simplex: &u32| {
             self.is_inside[simplex as usize] || self.returns[simplex as usize] < RETURNS
         };
-        !wedge.is_open && wedge.simplices.iter().all(may)
+        wedge.iter().all(may)
     }
 
     /// Returns how much more the surface costs if a wedge changes sides.
-    fn change_of_cost(&self, wedge: &Wedge) -> f64 {
+    fn change_of_cost(&self, wedge: &[u32]) -> f64 {
         let view = self.balls.view;
         let mut change = 0.0;
-        for &simplex in &wedge.simplices {
+        for &simplex in wedge {
             for (corner, &other) in view.neighbors(simplex).iter().enumerate() {
-                if wedge.simplices.contains(&other) {
+                if wedge.contains(&other) {
                     continue;
                 }
                 let there = other != NONE && self.is_inside[other as usize];
@@ -171,8 +148,8 @@ impl<const D: usize> Pinches<'_, D> {
     }
 
     /// Changes the side of a wedge. All vertices of its simplices wait to be looked at again.
-    fn change(&mut self, wedge: &Wedge) -> AllocResult<()> {
-        for &simplex in &wedge.simplices {
+    fn change(&mut self, wedge: &[u32]) -> AllocResult<()> {
+        for &simplex in wedge {
             let is_inside = &mut self.is_inside[simplex as usize];
             *is_inside = !*is_inside;
             self.returns[simplex as usize] += u8::from(*is_inside);
@@ -181,5 +158,78 @@ impl<const D: usize> Pinches<'_, D> {
             }
         }
         Ok(())
+    }
+}
+
+impl Wedges {
+    /// Parts the simplices round a vertex.
+    fn part_star<const D: usize>(
+        &mut self,
+        view: View<'_, D>,
+        is_inside: &[bool],
+        vertex: u32,
+        star: &[u32],
+    ) -> AllocResult<()> {
+        self.places.turn_to(star);
+        self.is_on_hull = false;
+        self.is_open.clear();
+        self.of.clear();
+        star.iter().try_for_each(|_| self.of.try_push(NONE))?;
+        for from in 0..star.len() {
+            if self.of[from] == NONE {
+                self.grow(view, is_inside, vertex, star[from])?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Makes a wedge of a simplex and all that are connected with it.
+    fn grow<const D: usize>(
+        &mut self,
+        view: View<'_, D>,
+        is_inside: &[bool],
+        vertex: u32,
+        first: u32,
+    ) -> AllocResult<()> {
+        let (wedge, side) = (self.is_open.len() as u32, is_inside[first as usize]);
+        let mut is_open = false;
+        self.begin(first, wedge)?;
+        while let Some(simplex) = self.stack.pop() {
+            let corners = view.simplex(simplex).iter().zip(view.neighbors(simplex));
+            for (_, &other) in corners.filter(|(corner, _)| **corner != vertex) {
+                if other == NONE {
+                    self.is_on_hull = true;
+                    is_open |= !side;
+                } else if is_inside[other as usize] == side {
+                    self.begin(other, wedge)?;
+                }
+            }
+        }
+        self.is_open.try_push(is_open)
+    }
+
+    /// Puts a simplex of the star into a wedge if it is in none.
+    fn begin(&mut self, simplex: u32, wedge: u32) -> AllocResult<()> {
+        match std::mem::replace(&mut self.of[self.places.of(simplex) as usize], wedge) {
+            NONE => self.stack.try_push(simplex),
+            _ => Ok(()),
+        }
+    }
+
+    /// Returns the number of wedges. At a vertex of the hull those that go on beyond it are one, or
+    /// what is beyond is one.
+    fn count(&self) -> usize {
+        self.closed().count() + usize::from(self.is_on_hull)
+    }
+
+    /// Returns the wedges that do not go on beyond the hull.
+    fn closed(&self) -> impl Iterator<Item = u32> {
+        (0..).zip(&self.is_open).filter(|(_, is_open)| !**is_open).map(|(wedge, _)| wedge)
+    }
+
+    /// Returns the simplices of a wedge of the star that was parted last, in its order.
+    fn simplices<'a>(&'a self, star: &'a [u32], wedge: u32) -> impl Iterator<Item = u32> + 'a {
+        let both = star.iter().zip(&self.of);
+        both.filter(move |(_, of)| **of == wedge).map(|(&simplex, _)| simplex)
     }
 }

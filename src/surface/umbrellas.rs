@@ -7,6 +7,7 @@
 //! the plane two edges. Vertices of a surface that is sampled well agree about its facets, others
 //! do not.
 
+use super::places::Places;
 use super::poles::Poles;
 use crate::memory::{AllocResult, Lists, TryGrow, collected, filled};
 use crate::mesh::NONE;
@@ -29,8 +30,8 @@ struct Step {
 }
 
 /// The simplices round a vertex, and space to part them.
-#[derive(Default)]
 struct Watershed {
+    places: Places,
     steps: Vec<Step>,
     /// Place in the star -> one above it in the tree of its set; a root is above itself.
     above: Vec<u32>,
@@ -48,11 +49,12 @@ impl<'a, const D: usize> Umbrellas<'a, D> {
         // Simplex -> bit k is 1 if it is on the side of the second pole of its vertex k. What is
         // beyond the hull is on the side of first poles.
         let mut is_second = filled(view.mesh.simplex_count(), 0u8)?;
-        let mut watershed = Watershed::default();
+        let places = Places::new(view.mesh.simplex_count())?;
+        let mut watershed = Watershed { places, steps: Vec::new(), above: Vec::new() };
         for (vertex, poles) in (0..).zip(poles).filter(|(_, poles)| poles.second != NONE) {
             let star = stars.of(vertex as usize);
             watershed.part_star(view, depths, vertex, star, poles)?;
-            let second = watershed.root(place(star, poles.second));
+            let second = watershed.root(watershed.places.of(poles.second));
             for (at, &simplex) in (0..).zip(star) {
                 let bit = u8::from(watershed.root(at) == second);
                 is_second[simplex as usize] |= bit << corner(view, simplex, vertex);
@@ -104,11 +106,12 @@ impl Watershed {
         star: &[u32],
         poles: &Poles,
     ) -> AllocResult<()> {
+        self.places.turn_to(star);
         self.add_steps(view, depths, vertex, star)?;
         self.steps.sort_unstable_by(|a, b| b.depth.total_cmp(&a.depth));
         self.above.clear();
         (0..=star.len() as u32).try_for_each(|at| self.above.try_push(at))?;
-        let [first, second] = [poles.first, poles.second].map(|pole| place(star, pole));
+        let [first, second] = [poles.first, poles.second].map(|pole| self.places.of(pole));
         for step in 0..self.steps.len() {
             let Step { here, there, .. } = self.steps[step];
             let [here, there, first, second] = [here, there, first, second].map(|at| self.root(at));
@@ -133,7 +136,7 @@ impl Watershed {
             for (k, &neighbor) in neighbors.filter(|(_, neighbor)| **neighbor > simplex) {
                 if view.simplex(simplex)[k] != vertex {
                     let depth = depths[simplex as usize * (D + 1) + k];
-                    self.steps.try_push(Step { depth, here, there: place(star, neighbor) })?;
+                    self.steps.try_push(Step { depth, here, there: self.places.of(neighbor) })?;
                 }
             }
         }
@@ -148,11 +151,6 @@ impl Watershed {
         }
         at
     }
-}
-
-/// Returns the place of a simplex in an ascending star; that after all for [`NONE`].
-fn place(star: &[u32], simplex: u32) -> u32 {
-    star.partition_point(|&other| other < simplex) as u32
 }
 
 /// Returns which vertex of a simplex a vertex is.

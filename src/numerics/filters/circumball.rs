@@ -2,6 +2,7 @@
 
 use super::cramer::{self, MAX_CRAMER, square};
 use super::f64x2::{F64x2, Real};
+use super::precise::precise_circumcenter;
 use super::solve::solve;
 use crate::numerics::MAX_DIM;
 use crate::numerics::exact::circumcenter_exact;
@@ -134,6 +135,7 @@ impl<const D: usize> Circumball<D> {
         let anchor = shortest_edge(points);
         Self::by_cramer(&|i| points[i], anchor, FLATTER)
             .or_else(|| Self::in_floats(points, anchor))
+            .or_else(|| Self::of_solution(anchor, precise_circumcenter(points, anchor)?))
             .unwrap_or_else(|| Self::in_integers(points, anchor))
     }
 
@@ -156,9 +158,15 @@ impl<const D: usize> Circumball<D> {
             right[r] = square * power_of_two(exponents[r] - top - 1);
         }
         let (solution, error) = solve(&rows, &right);
+        Self::of_solution(anchor, (solution, error, top - 1023))
+    }
+
+    /// Returns the ball with the centre x * 2^top, each component of x being known up to an error;
+    /// `None` if that is too inaccurate.
+    fn of_solution(anchor: usize, (solution, error, top): ([f64; D], f64, i32)) -> Option<Self> {
         let size = largest_magnitude(&solution);
         let own = biased_exponent(size) - 1023;
-        let k = own + top - 1023;
+        let k = own + top;
         // A NaN or an infinity anywhere fails one of the comparisons.
         let usable = error <= ACCEPTED * size && own.abs() <= 900 && k.abs() < 1000;
         if !usable {

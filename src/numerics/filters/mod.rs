@@ -16,6 +16,7 @@ mod f64x2;
 mod hyperplane;
 mod in_ball;
 mod orientation;
+mod precise;
 mod solve;
 
 pub use circumball::Circumball;
@@ -23,3 +24,4 @@ pub(crate) use f64x2::{F64x2, Real};
 pub(crate) use hyperplane::Hyperplane;
 pub use in_ball::in_ball;
 pub use orientation::{determinant_filtered, orientation, orientation_filtered};
+pub use precise::precise_determinant;

@@ -191,6 +191,7 @@ static void regions_are_between_facets(nm_mesh *mesh) {
     REQUIRE(fabs(volume_of(mesh, 5, 1) - 1) < 1e-12 && fabs(volume_of(mesh, -7, 0) - 1) < 1e-12);
     REQUIRE(nm_mesh_validate(mesh, 3, &report) == NM_OK && report.violations == 0);
     REQUIRE(nm_mesh_quality(mesh, &quality) == NM_OK && quality.flat == 0 && quality.forced == 0);
+    REQUIRE(nm_mesh_get_flat_simplices(mesh, NULL, 0, &needed) == NM_OK && needed == 0);
     /* A hole is no part of the result, the wall bounds it. */
     regions[1].is_hole = 1;
     REQUIRE(nm_mesh_set_regions(mesh, 2, regions) == NM_OK);
@@ -343,6 +344,63 @@ static void odd_edges_are_told(void) {
     nm_mesh_free(mesh);
 }
 
+/* A turned cube whose sides are squares of a lattice: four points of a square are on one circle but for
+ * roundings, and some tetrahedra are between its two diagonals. */
+static void flat_simplices_are_told(void) {
+    enum { along = 4, squares = 6 * (along - 1) * (along - 1) };
+    static const double turn[3][3] = {{0.36, 0.48, -0.8}, {-0.8, 0.6, 0.0}, {0.48, 0.64, 0.6}};
+    static double points[along * along * along * 3];
+    static uint64_t loops[squares + 1], starts[squares + 1];
+    static uint32_t corners_of[4 * squares];
+    nm_mesh *mesh = NULL;
+    nm_quality quality = NM_QUALITY_INIT;
+    nm_counts counts;
+    uint32_t *simplices, *flat;
+    double *vertices;
+    uint64_t needed = 0, i, count = 0;
+    int axis, side, u, v, k;
+    for (i = 0; i < along * along * along; ++i) {
+        const double place[3] = {(double)(i / 16), (double)(i / 4 % 4), (double)(i % 4)};
+        for (k = 0; k < 3; ++k)
+            points[3 * i + k] = (turn[k][0] * place[0] + turn[k][1] * place[1] + turn[k][2] * place[2]) / 3 + 0.7;
+    }
+    for (axis = 0; axis < 3; ++axis)
+        for (side = 0; side < along; side += along - 1)
+            for (u = 0; u + 1 < along; ++u)
+                for (v = 0; v + 1 < along; ++v) {
+                    static const int ring[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+                    static const int steps[3] = {16, 4, 1};
+                    const int across = steps[(axis + 1) % 3], up = steps[(axis + 2) % 3];
+                    for (k = 0; k < 4; ++k)
+                        corners_of[4 * count + k] =
+                            (uint32_t)(side * steps[axis] + (u + ring[k][0]) * across + (v + ring[k][1]) * up);
+                    loops[count] = count;
+                    starts[count] = 4 * count;
+                    ++count;
+                }
+    loops[count] = count;
+    starts[count] = 4 * count;
+    REQUIRE(nm_mesh_create(3, along * along * along, points, 0, &mesh) == NM_OK);
+    REQUIRE(nm_mesh_set_facets(mesh, squares, loops, starts, corners_of, NULL) == NM_OK);
+    REQUIRE(nm_mesh_get_flat_simplices(mesh, NULL, 0, &needed) == NM_STATE);
+    REQUIRE(nm_run(mesh, NULL) == NM_OK && nm_mesh_quality(mesh, &quality) == NM_OK && quality.flat > 0);
+    REQUIRE(nm_mesh_get_flat_simplices(mesh, NULL, 0, &needed) == NM_OK && needed == quality.flat);
+    counts = counts_of(mesh);
+    flat = allocate(needed, sizeof *flat);
+    vertices = allocate(3 * counts.vertices, sizeof *vertices);
+    simplices = allocate(4 * counts.simplices, sizeof *simplices);
+    REQUIRE(nm_mesh_get_flat_simplices(mesh, flat, needed, &needed) == NM_OK);
+    REQUIRE(nm_mesh_get_points(mesh, vertices, 3 * counts.vertices, NULL) == NM_OK);
+    REQUIRE(nm_mesh_get_simplices(mesh, simplices, 4 * counts.simplices, NULL) == NM_OK);
+    for (i = 0, count = 0; i < counts.simplices; ++i)
+        if (volume(vertices, simplices + 4 * i) < 1e-12) REQUIRE(count < needed && flat[count++] == i);
+    REQUIRE(count == needed);
+    free(flat);
+    free(vertices);
+    free(simplices);
+    nm_mesh_free(mesh);
+}
+
 int main(void) {
     nm_mesh *mesh;
     holes_are_closed();
@@ -354,6 +412,7 @@ int main(void) {
     regions_are_between_facets(mesh);
     nm_mesh_free(mesh);
     triangles_are_a_surface();
+    flat_simplices_are_told();
     puts("spatial_inputs: everything as expected");
     return 0;
 }

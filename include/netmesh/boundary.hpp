@@ -160,6 +160,12 @@ public:
         return array<std::int32_t>(nm_mesh_get_simplex_regions);
     }
 
+    // Returns the simplices with all vertices on one facet, which are flat but for roundings,
+    // ascending.
+    result<std::vector<std::uint32_t>> try_flat_simplices() const {
+        return array<std::uint32_t>(nm_mesh_get_flat_simplices);
+    }
+
 #if NETMESH_EXCEPTIONS
     // Each function below does what the try_ function of its name does, and throws netmesh::error.
     void set_segments(span<const std::uint32_t> inputs, span<const std::int32_t> markers = {}) {
@@ -187,6 +193,7 @@ public:
     std::vector<nm_intersection> intersections() const { return try_intersections().value(); }
     std::vector<nm_odd_edge> odd_edges() const { return try_odd_edges().value(); }
     std::vector<std::int32_t> simplex_regions() const { return try_simplex_regions().value(); }
+    std::vector<std::uint32_t> flat_simplices() const { return try_flat_simplices().value(); }
 #endif
 
 protected:

@@ -116,7 +116,8 @@ class Exports(Arrays):
         which scikit-fem reads through meshio. A mesh without segments and facets has the subdomain
         ``mesh``. Boundaries have the orientation of their segments or facets: their normals point to
         the right of a segment, and where that of a facet points to, but out of the domain on its
-        boundary.
+        boundary. A warning tells of tetrahedra that are flat in a facet (`flat_simplices`), and of
+        points in no simplex.
 
         Examples
         --------

@@ -105,6 +105,15 @@ class Features:
         return self._core.facet_simplices
 
     @property
+    def flat_simplices(self) -> NDArray[np.int32]:
+        """Tetrahedra with all vertices on one facet, int32, ascending: `quality().flat` of them.
+
+        Nothing but roundings of their vertices gives them a volume. Finite elements on them are
+        worthless; solvers that let elements be left out do better without.
+        """
+        return self._core.flat_simplices
+
+    @property
     def simplex_regions(self) -> NDArray[np.int32]:
         """Label of each simplex' region, int32, shape (simplices,); empty without segments and facets."""
         return self._core.simplex_regions

@@ -22,6 +22,10 @@ def to_skfem(core: Core) -> Any:
     if unused:
         rule = "whose rows of matrices are zero; part('all').to_skfem() has no such points"
         warnings.warn(f"{unused} of the points are in no simplex, {rule}", stacklevel=3)
+    flat = len(core.flat_simplices)
+    if flat:
+        rule = "flat but for roundings, and spoil matrices; remove_elements(mesh.flat_simplices) leaves them out"
+        warnings.warn(f"{flat} of the simplices have all vertices on one facet: they are {rule}", stacklevel=3)
     dim = core.points.shape[1]
     kind = skfem.MeshTri1 if dim == 2 else skfem.MeshTet1
     made = kind(core.points.T.copy(), core.simplices.T.copy())

@@ -156,6 +156,13 @@ impl Core {
     }
 
     #[getter]
+    fn flat_simplices<'py>(this: &Bound<'py, Self>) -> PyResult<Bound<'py, PyArray1<i32>>> {
+        let mesh = this.get().triangulation();
+        // SAFETY: as above.
+        unsafe { shared_ids_1(this.as_any(), &mesh.boundary.flat, mesh.simplex_count()) }
+    }
+
+    #[getter]
     fn simplex_regions<'py>(this: &Bound<'py, Self>) -> PyResult<Bound<'py, PyArray1<i32>>> {
         let labels = &*this.get().triangulation().boundary.simplex_regions;
         // SAFETY: as above.

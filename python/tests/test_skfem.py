@@ -121,3 +121,39 @@ def test_parts_and_cropped_meshes_go_to_scikit_fem(tmp_path):
 def test_other_dimensions_are_refused(random):
     with pytest.raises(netmesh.InvalidArgumentError, match="the mesh has dim = 4; it must be 2 or 3"):
         netmesh.mesh(random.random((10, 4))).to_skfem()
+
+
+def turned_cube(count):
+    """Returns a cube turned, with so many points along its edges on its faces, and these as squares."""
+    grid = np.stack(np.meshgrid(*[np.arange(count)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
+    grid = grid[((grid == 0) | (grid == count - 1)).any(axis=1)]
+    numbers = {tuple(place): at for at, place in enumerate(grid.tolist())}
+    squares = []
+    for axis in range(3):
+        for side in (0, count - 1):
+            for u in range(count - 1):
+                for v in range(count - 1):
+                    ring = [(u, v), (u + 1, v), (u + 1, v + 1), (u, v + 1)]
+                    squares.append([numbers[tuple(np.insert(corner, axis, side))] for corner in ring])
+    turn = np.array([[0.36, 0.48, -0.8], [-0.8, 0.6, 0.0], [0.48, 0.64, 0.6]])
+    return grid @ turn.T / 3 + 0.7, squares
+
+
+def test_tetrahedra_that_are_flat_in_a_facet_are_told():
+    points, squares = turned_cube(4)
+    m = netmesh.mesh(points, facets=squares)
+    flat = m.flat_simplices
+    assert len(flat) == m.quality().flat > 0 and (np.diff(flat) > 0).all()
+    corners = m.points[m.simplices]
+    volumes = np.abs(np.linalg.det(corners[:, 1:] - corners[:, :1]))
+    assert volumes[flat].max() < 1e-12 and (volumes < 1e-12).sum() == len(flat)
+    with pytest.warns(UserWarning, match=f"{len(flat)} of the simplices have all vertices on one facet"):
+        made = m.to_skfem()
+    assert made.remove_elements(flat).nelements == len(m.simplices) - len(flat)
+
+
+def test_nothing_is_told_of_meshes_without_flat_tetrahedra(recwarn):
+    m = halves()
+    assert len(m.flat_simplices) == m.quality().flat == 0
+    m.to_skfem()
+    assert not recwarn.list

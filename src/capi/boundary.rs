@@ -223,6 +223,22 @@ pub unsafe extern "C" fn nm_mesh_get_simplex_regions(
     }
 }
 
+/// Writes the simplices with all vertices on one facet, ascending: nm_quality.flat of them. Nothing
+/// but roundings of their vertices gives them a volume, so that finite elements on them are worthless.
+///
+/// Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
+/// NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (before nm_run, nm_run at work, poisoned).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mesh_get_flat_simplices(
+    mesh: *const nm_mesh,
+    buf: *mut u32,
+    capacity: u64,
+    needed: *mut u64,
+) -> nm_status {
+    // SAFETY: the caller's rules are those of `get_array`.
+    unsafe { get_array(mesh, buf, capacity, needed, |mesh| Ok(&result(mesh)?.boundary.flat)) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

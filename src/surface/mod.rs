@@ -7,6 +7,7 @@
 //!
 //! | | |
 //! |---|---|
+//! | `local` | the triangulation, in an order of locality |
 //! | `balls` | Delaunay balls, and how deeply they intersect |
 //! | `places` | where a simplex is in the star of a vertex |
 //! | `poles` | the two far ends of each Voronoi cell |
@@ -21,6 +22,7 @@
 mod balls;
 mod chosen;
 mod forest;
+mod local;
 mod open;
 #[cfg(test)]
 mod open_tests;
@@ -40,8 +42,11 @@ use crate::arrays::Part;
 use crate::error::{Error, Result, message};
 use crate::memory::{AllocResult, TryGrow, collected, copied, filled};
 use crate::mesh::{Inputs, NONE, Triangulation};
+use crate::query::unit::Unit;
+use crate::query::view::View;
 use crate::validate::{Promises, Report, validate_surface};
 use balls::Balls;
+use local::Local;
 pub use shells::Shell;
 use shells::shells;
 use umbrellas::Umbrellas;
@@ -151,39 +156,52 @@ impl Surface {
 }
 
 fn through<const D: usize>(mesh: &Triangulation, kind: SurfaceKind) -> Result<Surface> {
-    let balls = Balls::<D>::new(mesh)?;
-    let stars = Part::whole(mesh)?.vertex_simplices()?;
+    let local = Local::new::<D>(mesh)?;
+    let balls = Balls::<D>::new(&local.mesh)?;
+    let stars = Part::whole(&local.mesh)?.vertex_simplices()?;
     let poles = poles::poles(&balls)?;
     let depths = balls.depths()?;
     let umbrellas = Umbrellas::new(balls.view, &depths, &stars, &poles)?;
     let agreements = umbrellas.agreements()?;
     let mut surface = match kind {
         SurfaceKind::Open => {
-            let facets = open::facets(&balls, &stars, &depths, &umbrellas, &agreements)?;
-            opened(&balls, facets)?
+            let mut facets = open::facets(&balls, &stars, &depths, &umbrellas, &agreements)?;
+            rename(&mut facets, &local.vertices);
+            opened(View::<D> { mesh }, balls.unit, facets)?
         }
         SurfaceKind::Closed => {
             drop(umbrellas);
-            let mut is_inside = sides::sides::<D>(mesh, &depths, &poles, &agreements)?;
-            pieces::settle(mesh, &stars, &poles, &agreements, &mut is_inside)?;
+            let mut is_inside = sides::sides::<D>(&local.mesh, &depths, &poles, &agreements)?;
+            pieces::settle(&local.mesh, &stars, &poles, &agreements, &mut is_inside)?;
             if pinches::unpinch(&balls, &stars, &mut is_inside)? {
-                pieces::settle(mesh, &stars, &poles, &agreements, &mut is_inside)?;
+                pieces::settle(&local.mesh, &stars, &poles, &agreements, &mut is_inside)?;
             }
-            Surface::of_solid(mesh, is_inside)?
+            Surface::of_solid(mesh, local.of_simplices(&is_inside, false)?)?
         }
     };
-    surface.sampling = sampling::ratios(&balls, &poles, &surface.facets)?;
+    let mut facets = copied(&surface.facets)?;
+    rename(&mut facets, &local.numbers);
+    let sampling = sampling::ratios(&balls, &poles, &facets)?;
+    surface.sampling = local.of_vertices(&sampling, f64::NAN)?;
     Ok(surface)
 }
 
+/// Gives vertices the numbers that they have elsewhere.
+fn rename(vertices: &mut [u32], numbers: &[u32]) {
+    vertices.iter_mut().for_each(|vertex| *vertex = numbers[*vertex as usize]);
+}
+
 /// Returns the open surface of facets that are not oriented yet.
-fn opened<const D: usize>(balls: &Balls<'_, D>, mut facets: Vec<u32>) -> AllocResult<Surface> {
-    let mesh = balls.view.mesh;
-    let shells = orient::oriented_shells(balls.view, balls.unit, &mut facets)?;
+fn opened<const D: usize>(
+    view: View<'_, D>,
+    unit: Unit,
+    mut facets: Vec<u32>,
+) -> AllocResult<Surface> {
+    let shells = orient::oriented_shells(view, unit, &mut facets)?;
     Ok(Surface {
         kind: SurfaceKind::Open,
-        is_inside: filled(mesh.simplex_count(), false)?,
-        left_out: left_out(mesh, &facets)?,
+        is_inside: filled(view.mesh.simplex_count(), false)?,
+        left_out: left_out(view.mesh, &facets)?,
         facets,
         shells,
         sampling: Vec::new(),

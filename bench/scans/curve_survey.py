@@ -1,12 +1,12 @@
 """Tells which edges of the curves of curves.py are found, by the crust and NN-crust on SciPy's Delaunay
 triangulation and by netmesh.
 
-    curve_survey.py INDEX [--netmesh PROGRAM] [--options "..."] [--open "..."] > table.md
+    curve_survey.py INDEX [--netmesh PROGRAM] [--options="..."] [--open="..."] > table.md
     curve_survey.py INDEX --measure FILE [POINTS]
 
 FILE is what a tool made: OBJ with lines, OFF with faces of two vertices, or lines of two indices from 0.
 POINTS is the name of the points there, which is that of FILE if left out. Of netmesh is read what
-`netmesh POINTS --surface -o FILE.obj` writes, with more options: `--open "--open"` gives one to open curves alone.
+`netmesh POINTS --surface -o FILE.obj` writes, with more options: `--open=--open` gives one to open curves alone.
 The first table counts the sets that are right of each kind, with wrong and missing ones of 1,000 edges.
 """
 import argparse

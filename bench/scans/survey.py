@@ -1,6 +1,6 @@
 """Reconstructs the surfaces of samples.py with several tools, and tells what became of each.
 
-    survey.py INDEX OUT [--tools A,B] [--netmesh PROGRAM] [--options "..."] [--cgal PROGRAM] [--sets 10000,vertices]
+    survey.py INDEX OUT [--tools A,B] [--netmesh PROGRAM] [--options="..."] [--cgal PROGRAM] [--sets 10000,vertices]
               [--seconds S] [--table-only] > table.md
 
 INDEX is the index.json of samples.py. OUT keeps the meshes and measures, OUT/TOOL/POINTS.json each, so

@@ -3,7 +3,7 @@
 use super::MAX_SIMPLEX_VERTICES;
 use crate::complex::{Records, SimplexId, VertexId, position};
 use crate::memory::prefetch_at;
-use crate::numerics::{Circumball, Sign, in_ball_exact, orientation};
+use crate::numerics::{Circumball, Sign, in_ball_with_care, orientation};
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Points and D-balls that conflict tests read, beside the records of the simplices.
@@ -47,7 +47,7 @@ impl<'a, const D: usize> Conflicts<'a, D> {
             false => {
                 self.exact_fallbacks.fetch_add(1, Ordering::Relaxed);
                 let points = self.vertex_points(vertices);
-                in_ball_exact(&points[..=D], q) == Sign::Positive
+                in_ball_with_care(&points[..=D], q) == Sign::Positive
             }
         }
     }

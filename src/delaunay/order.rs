@@ -10,7 +10,7 @@ use super::conflict::Conflicts;
 use super::{Delaunay, MAX_SIMPLEX_VERTICES};
 use crate::complex::VertexId;
 use crate::memory::{AllocError, AllocResult};
-use crate::numerics::{Sign, in_ball_exact, orientation};
+use crate::numerics::{Sign, in_ball_with_care, orientation};
 use std::sync::atomic::Ordering;
 
 impl<const D: usize> Delaunay<D> {
@@ -36,7 +36,7 @@ impl<const D: usize> Delaunay<D> {
         let conflicts: Conflicts<'_, D> = self.conflicts();
         conflicts.exact_fallbacks.fetch_add(1, Ordering::Relaxed);
         let points = conflicts.vertex_points(simplex);
-        match in_ball_exact(&points[..=D], self.point(vertex)) {
+        match in_ball_with_care(&points[..=D], self.point(vertex)) {
             Sign::Positive => true,
             Sign::Negative => false,
             Sign::Zero => self.is_inside_by_order(simplex, vertex),

@@ -9,7 +9,8 @@
 //!   orientation, in_ball, Circumball::side, affine_basis
 //!        |
 //!        v
-//!   filters   f64 with a bound of the error: decides nearly all signs in nanoseconds
+//!   filters   f64 with a bound of the error: decides nearly all signs in nanoseconds;
+//!        |    then two f64 for one number: decides all but true ties and near ones
 //!        |  undecided
 //!        v
 //!   exact     integers of a fixed size: decides the rest, without an allocation
@@ -46,7 +47,7 @@ pub(crate) use double_double::DoubleDouble;
 pub(crate) use exact::{Column, Edges};
 pub(crate) use exact::{Lines, compare_crossings, compare_to_crossing, crossing};
 pub use exact::{ScaledCenter, circumcenter_exact, in_ball_exact, orientation_exact};
-pub use filters::{Circumball, in_ball, orientation, orientation_filtered};
+pub use filters::{Circumball, in_ball, in_ball_with_care, orientation, orientation_filtered};
 pub(crate) use filters::{F64x2, Hyperplane, Real};
 pub use lengths::{
     cross, distance, distance_to_edge, distance_to_line, distance_to_triangle, dot, foot_on_line,

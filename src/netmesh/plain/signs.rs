@@ -1,7 +1,7 @@
 //! The sides of lines and circles that points are on: a filter in doubles first, and exact signs
 //! where it cannot tell.
 
-use crate::numerics::{Sign, in_ball_exact, orientation, orientation_exact};
+use crate::numerics::{Sign, in_ball_with_care, orientation, orientation_exact};
 
 type Point = [f64; 2];
 
@@ -72,7 +72,7 @@ impl Signs {
             let [a, b, c, q] = [a, b, c, q].map(|&[x, y]| robust::Coord { x, y });
             return robust::incircle(a, b, c, q) > 0.0;
         }
-        in_ball_exact(&[a, b, c], q) == Sign::Positive
+        in_ball_with_care(&[a, b, c], q) == Sign::Positive
     }
 }
 

@@ -66,6 +66,21 @@ pub fn in_ball_exact<const D: usize>(simplex: &[&[f64; D]], q: &[f64; D]) -> Sig
     outward.flip()
 }
 
+/// Returns the sign of [`in_ball_exact`] if integers of two words are enough for it, as for points of
+/// a grid; these are as fast as anything.
+pub fn in_ball_in_few_bits<const D: usize>(simplex: &[&[f64; D]], q: &[f64; D]) -> Option<Sign> {
+    // Edges of coordinates with more bits than that are no better, but where these are far away.
+    const UNUSED: u32 = 24;
+    let coordinates = simplex.iter().copied().chain([q]).flatten();
+    let ones = coordinates.fold(0, |ones, x| ones | x.to_bits());
+    if ones.trailing_zeros() < UNUSED {
+        return None;
+    }
+    let ends = simplex[1..].iter().copied().chain([q]);
+    let rows = Rows::new(simplex[0], ends)?;
+    rows.is_narrow().then(|| rows.lifted_orientation().flip())
+}
+
 /// Returns the sign of the scalar product of the vectors from `q` to `a` and to `b`, for any finite
 /// points.
 pub fn scalar_product_exact<const D: usize>(a: &[f64; D], b: &[f64; D], q: &[f64; D]) -> Sign {

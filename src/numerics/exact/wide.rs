@@ -58,19 +58,33 @@ impl Rows {
         self.sign(self.dim * self.bits)
     }
 
+    /// Returns true if [`Self::lifted_orientation`] needs no more than two words.
+    pub fn is_narrow(&self) -> bool {
+        self.words(self.lifted_bits()) <= 2
+    }
+
     /// Returns the sign of the determinant of `dim + 1` edges whose last column is their squared
     /// lengths.
     pub fn lifted_orientation(&self) -> Sign {
         debug_assert_eq!(self.count, self.dim + 1);
-        self.sign((self.dim + 2) * self.bits + bits_of(self.dim))
+        self.sign(self.lifted_bits())
     }
 
-    /// Returns the sign of the determinant. A product of one entry from each column has `product`
-    /// bits; by the Leibniz formula there are n! of them.
-    fn sign(&self, product: usize) -> Sign {
+    /// Returns the number of bits of a product of one entry from each column, the last of squares.
+    fn lifted_bits(&self) -> usize {
+        (self.dim + 2) * self.bits + bits_of(self.dim)
+    }
+
+    /// Returns the number of words of a determinant. A product of one entry from each column has
+    /// `product` bits; by the Leibniz formula there are n! of them.
+    fn words(&self, product: usize) -> usize {
         let bits = product + bits_of((1..=self.count).product());
-        let words = (bits + 2).div_ceil(64);
-        match (self.count, words) {
+        (bits + 2).div_ceil(64)
+    }
+
+    /// Returns the sign of the determinant, whose products have so many bits.
+    fn sign(&self, product: usize) -> Sign {
+        match (self.count, self.words(product)) {
             (..=4, ..=1) => self.sign_in::<i64, 16>(),
             (..=4, ..=2) => self.sign_in::<i128, 16>(),
             (..=4, ..=4) => self.sign_in::<Wide<4>, 16>(),

@@ -1,7 +1,8 @@
 //! The side of a circumsphere that a point is on, exactly.
 
 use super::determinant::{certain_sign, determinant};
-use crate::numerics::exact::in_ball_exact;
+use super::precise::precise_in_ball;
+use crate::numerics::exact::{in_ball_exact, in_ball_in_few_bits};
 use crate::numerics::power::{biased_exponent, power_of_two};
 use crate::numerics::{MAX_SIZE, Sign};
 
@@ -11,9 +12,19 @@ use crate::numerics::{MAX_SIZE, Sign};
 ///
 /// Exact for all finite coordinates. Usually O(2^D D) floating-point operations; a point that is
 /// nearly on the sphere costs as many in integers. Callers that have a simplex's
-/// [`Circumball`](super::Circumball) ask it first, and then [`in_ball_exact`].
+/// [`Circumball`](super::Circumball) ask it first, and then [`in_ball_with_care`].
 pub fn in_ball<const D: usize>(simplex: &[&[f64; D]], q: &[f64; D]) -> Sign {
-    in_ball_filtered(simplex, q).unwrap_or_else(|| in_ball_exact(simplex, q))
+    in_ball_filtered(simplex, q).unwrap_or_else(|| in_ball_with_care(simplex, q))
+}
+
+/// Returns the result of [`in_ball`] for a point that is nearly on the sphere: in integers of a word
+/// or two where these are enough, else in some 106 bits, and where that is not enough in integers.
+#[cold]
+#[inline(never)]
+pub fn in_ball_with_care<const D: usize>(simplex: &[&[f64; D]], q: &[f64; D]) -> Sign {
+    in_ball_in_few_bits(simplex, q)
+        .or_else(|| precise_in_ball(simplex, q))
+        .unwrap_or_else(|| in_ball_exact(simplex, q))
 }
 
 /// Returns the sign of [`in_ball`] if floating-point arithmetic with an error bound can tell it;

@@ -22,6 +22,6 @@ mod solve;
 pub use circumball::Circumball;
 pub(crate) use f64x2::{F64x2, Real};
 pub(crate) use hyperplane::Hyperplane;
-pub use in_ball::in_ball;
+pub use in_ball::{in_ball, in_ball_with_care};
 pub use orientation::{determinant_filtered, orientation, orientation_filtered};
 pub use precise::precise_determinant;

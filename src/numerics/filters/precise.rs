@@ -1,12 +1,14 @@
-//! Determinants and circumcentres in some 106 bits, each with a bound of its error: for simplices
-//! that are too flat for doubles, in a fraction of the time of integers.
+//! Determinants, circumcentres and sides of spheres in some 106 bits, each with a bound of its error:
+//! for simplices that are too flat for doubles and points that are nearly on spheres, in a fraction of
+//! the time of integers.
 //!
 //! Differences of doubles are exact here. With u the roundoff of doubles, a sum is wrong by at most
 //! 4 u^2 (|a| + |b|) and a product by 8 u^2 |a b| ([`DoubleDouble`]), beside underflow.
 
+use super::determinant::certain_sign;
 use crate::numerics::lengths::largest_magnitude;
 use crate::numerics::power::{TINY, UNIT, biased_exponent, power_of_two};
-use crate::numerics::{DoubleDouble, MAX_SIZE, laplace};
+use crate::numerics::{DoubleDouble, MAX_SIZE, Sign, laplace};
 
 /// Edges from a vertex of a simplex to the others, each times a power of two that brings its
 /// largest component to [1, 2].
@@ -16,34 +18,60 @@ struct ScaledEdges<const D: usize> {
     exponents: [i32; D],
 }
 
-/// The rows of scaled edges, and one more column of positive numbers.
+/// Rows of edges, and one more column of positive numbers.
 struct Columns<'a, const D: usize> {
-    rows: &'a [[DoubleDouble; D]; D],
-    last: &'a [DoubleDouble; D],
+    rows: &'a [[DoubleDouble; D]],
+    last: &'a [DoubleDouble],
 }
 
-/// A minor, and the permanent of the absolute values.
-type Minor = (DoubleDouble, f64);
-
 impl<const D: usize> laplace::Matrix for Columns<'_, D> {
-    type Minor = Minor;
-    type Sum = Minor;
+    type Minor = DoubleDouble;
+    type Sum = DoubleDouble;
     type Sign = f64;
-    const ONE: Minor = (DoubleDouble { high: 1.0, low: 0.0 }, 1.0);
+    const ONE: DoubleDouble = DoubleDouble { high: 1.0, low: 0.0 };
     const PLUS: f64 = 1.0;
-    const ZERO: Minor = (DoubleDouble::ZERO, 0.0);
+    const ZERO: DoubleDouble = DoubleDouble::ZERO;
 
     #[inline(always)]
-    fn add(&self, sum: &mut Minor, row: usize, column: usize, sign: f64, minor: Minor) {
-        let entry = *self.rows[row].get(column).unwrap_or(&self.last[row]);
-        sum.0 = sum.0 + (entry * minor.0).scaled(sign);
-        sum.1 += entry.high.abs() * minor.1;
+    fn add(
+        &self,
+        sum: &mut DoubleDouble,
+        row: usize,
+        column: usize,
+        sign: f64,
+        minor: DoubleDouble,
+    ) {
+        let entry = if column < D { self.rows[row][column] } else { self.last[row] };
+        // The minor of no rows is one.
+        let product = if row == 0 { entry } else { entry * minor };
+        *sum = *sum + product.scaled(sign);
     }
 
     #[inline(always)]
-    fn minor(&self, sum: Minor) -> Minor {
+    fn minor(&self, sum: DoubleDouble) -> DoubleDouble {
         sum
     }
+}
+
+impl<const D: usize> Columns<'_, D> {
+    /// Returns no less than the permanent of the absolute values of the rows: the product of their
+    /// sums.
+    fn permanent(&self) -> f64 {
+        self.rows.iter().map(sum_of_magnitudes).product()
+    }
+
+    /// Returns no less than the permanent of the absolute values of the rows with the last column
+    /// in place of another one, or after all if there is one row more.
+    fn permanent_with_last(&self) -> f64 {
+        let sums = || self.rows.iter().map(sum_of_magnitudes);
+        let without = |row: usize| sums().enumerate().filter(move |(other, _)| *other != row);
+        let product = |row: usize| without(row).map(|(_, sum)| sum).product::<f64>();
+        (0..self.rows.len()).map(|row| self.last[row].high * product(row)).sum()
+    }
+}
+
+fn sum_of_magnitudes<const D: usize>(row: &[DoubleDouble; D]) -> f64 {
+    row.iter().fold(0.0, |sum, x| sum + x.high.abs())
 }
 
 impl<const D: usize> ScaledEdges<D> {
@@ -71,39 +99,65 @@ impl<const D: usize> ScaledEdges<D> {
             square.scaled(power_of_two(self.exponents[r] - top - 1))
         })
     }
+}
 
-    /// Returns at place D the determinant of the edges, at place k below that with the column
-    /// `last` after all and without column k; zeros there if there is no such column.
-    fn determinants(&self, last: Option<&[DoubleDouble; D]>) -> [Minor; MAX_SIZE] {
-        let count = D + usize::from(last.is_some());
-        let columns = Columns { rows: &self.rows, last: last.unwrap_or(&[DoubleDouble::ZERO; D]) };
-        match D {
-            2 => chosen::<D, 8>(&columns, count),
-            3 => chosen::<D, 16>(&columns, count),
-            4 => chosen::<D, 32>(&columns, count),
-            _ => chosen::<D, 512>(&columns, count),
-        }
+/// Returns determinants with the last column: at place k that without column k, at place D that
+/// without the last one; of D + 1 rows at place 0 that of all columns.
+fn determinants<const D: usize>(columns: &Columns<'_, D>) -> [DoubleDouble; MAX_SIZE] {
+    match D {
+        2 => expanded::<D, 8>(columns),
+        3 => expanded::<D, 16>(columns),
+        4 => expanded::<D, 32>(columns),
+        _ => expanded::<D, 512>(columns),
     }
 }
 
-/// Expands the first `count` columns, D or all.
 #[inline(always)]
-fn chosen<const D: usize, const SETS: usize>(
+fn expanded<const D: usize, const SETS: usize>(
     columns: &Columns<'_, D>,
-    count: usize,
-) -> [Minor; MAX_SIZE] {
-    let mut minors = [(DoubleDouble::ZERO, 0.0); SETS];
-    let all = (1 << (D + 1)) - 1;
-    laplace::expand(columns, all.min(1 << count), &mut minors);
-    std::array::from_fn(|k| if k <= D { minors[all ^ 1 << k] } else { minors[0] })
+) -> [DoubleDouble; MAX_SIZE] {
+    let mut minors = [DoubleDouble::ZERO; SETS];
+    let (all, count) = ((1 << (D + 1)) - 1, columns.rows.len());
+    // Without a last column the sets of the others are enough.
+    let end = if columns.last.is_empty() { 1 << D } else { all + usize::from(count > D) };
+    laplace::expand(columns, end, &mut minors);
+    let without = |k: usize| if count > D { minors[all] } else { minors[all ^ 1 << k] };
+    std::array::from_fn(|k| without(k.min(D)))
 }
 
-/// Returns the largest error of a determinant. A level of the expansion with k products adds at
-/// most 8 + 4 (k - 1) units to those of its factors, D of them 2 D^2 + 6 D; an entry of the last
-/// column brings 4 D + 4. Twice that pays for the rounding of the permanent.
-fn bound<const D: usize>(permanent: f64) -> f64 {
-    let units = (2 * D * D + 10 * D + 4) as f64;
+/// Returns the largest error of a determinant of so many rows. A level of the expansion with k
+/// products adds at most 8 + 4 (k - 1) units to those of its factors, n of them 2 n^2 + 6 n; an entry
+/// of the last column brings 4 D + 4. Twice that pays for the roundings of the permanent.
+fn bound<const D: usize>(rows: usize, permanent: f64) -> f64 {
+    let units = (2 * rows * rows + 6 * rows + 4 * D + 4) as f64;
     2.0 * units * UNIT * UNIT * permanent + TINY
+}
+
+/// Returns the sign of [`in_ball`](super::in_ball), if this arithmetic can tell it; never
+/// `Some(Sign::Zero)`.
+pub fn precise_in_ball<const D: usize>(simplex: &[&[f64; D]], q: &[f64; D]) -> Option<Sign> {
+    let (mut rows, mut squares) =
+        ([[DoubleDouble::ZERO; D]; MAX_SIZE], [DoubleDouble::ZERO; MAX_SIZE]);
+    let ends = simplex[1..].iter().copied().chain([q]);
+    let mut largest = 0.0f64;
+    for (row, end) in rows.iter_mut().zip(ends) {
+        *row = std::array::from_fn(|k| DoubleDouble::difference(end[k], simplex[0][k]));
+        largest = row.iter().fold(largest, |largest, x| largest.max(x.high.abs()));
+    }
+    // One scale for all, so that the largest is in [1, 2], changes no sign.
+    let field = biased_exponent(largest);
+    if !(1..=2045).contains(&field) {
+        return None;
+    }
+    let scale = power_of_two(1023 - field);
+    for (row, square) in rows[..=D].iter_mut().zip(&mut squares) {
+        *row = row.map(|x| x.scaled(scale));
+        *square = row.iter().fold(DoubleDouble::ZERO, |sum, &x| sum + x * x);
+    }
+    let columns = Columns { rows: &rows[..=D], last: &squares[..=D] };
+    let determinant = determinants(&columns)[0].high;
+    let error = bound::<D>(D + 1, columns.permanent_with_last()) + UNIT * determinant.abs();
+    certain_sign((determinant, error)).map(Sign::flip)
 }
 
 /// Returns det[p1 - p0, ..., pD - p0] as m * 2^e, if this arithmetic can tell it with a relative
@@ -115,12 +169,13 @@ pub fn precise_determinant<const D: usize>(
     accepted: f64,
 ) -> Option<(f64, i64)> {
     let edges = ScaledEdges::new(simplex[0], simplex[1..].iter().copied())?;
-    let (determinant, permanent) = edges.determinants(None)[D];
-    let error = bound::<D>(permanent) + UNIT * determinant.high.abs();
+    let columns = Columns { rows: &edges.rows, last: &[] };
+    let determinant = determinants(&columns)[D].high;
+    let error = bound::<D>(D, columns.permanent()) + UNIT * determinant.abs();
     // False if anything is NaN.
-    let is_accepted = error <= accepted * determinant.high.abs();
+    let is_accepted = error <= accepted * determinant.abs();
     let exponent = edges.exponents.iter().map(|&e| i64::from(e)).sum();
-    is_accepted.then_some((determinant.high, exponent))
+    is_accepted.then_some((determinant, exponent))
 }
 
 /// Returns the circumcentre relative to `points[anchor]` as x * 2^e: x, a bound of the error of its
@@ -140,24 +195,24 @@ pub fn precise_circumcenter<const D: usize>(
         return None;
     }
     // Cramer's rule for v.x = |v|^2 / 2: the last column in place of column k, as many places on.
-    let determinants = edges.determinants(Some(&edges.half_squares(top)));
-    let (denominator, permanent) = determinants[D];
+    let columns = Columns { rows: &edges.rows, last: &edges.half_squares(top) };
+    let determinants = determinants(&columns);
+    let denominator = determinants[D];
     let quotient = |k: usize| {
-        let (numerator, _) = determinants[k];
-        (numerator / denominator).high * if (D - 1 - k) % 2 == 0 { 1.0 } else { -1.0 }
+        (determinants[k] / denominator).high * if (D - 1 - k) % 2 == 0 { 1.0 } else { -1.0 }
     };
     let solution: [f64; D] = std::array::from_fn(quotient);
     let size = largest_magnitude(&solution);
-    let largest = determinants[..D].iter().fold(0.0f64, |largest, minor| largest.max(minor.1));
     // With a result of at most `size / 1000` the denominator is right to a thousandth, which 1.01
     // pays for; three units are for the division and for the lower half that is left out.
-    let wrong = bound::<D>(largest) + size * bound::<D>(permanent);
+    let wrong =
+        bound::<D>(D, columns.permanent_with_last()) + size * bound::<D>(D, columns.permanent());
     Some((solution, 1.01 * wrong / denominator.high.abs() + 3.0 * UNIT * size, top))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::determinant_filtered;
+    use super::super::{determinant_filtered, in_ball_with_care};
     use super::*;
     use crate::numerics::testing::*;
     use dashu_int::IBig;
@@ -254,11 +309,59 @@ mod tests {
         check::<6>(10);
     }
 
-    /// The edges (1, 1 + h, 0), (2, 2 + h, 0) / 2 and (0, 0, 1) have the determinant -h / 2, of a
-    /// permanent of two: the bound is what the comment counts.
+    /// Returns points on the unit sphere but for roundings.
+    fn on_sphere<const D: usize>(count: usize, random: &mut Random) -> Vec<[f64; D]> {
+        let mut point = || -> [f64; D] {
+            let way: [f64; D] = std::array::from_fn(|_| random.unit());
+            let length = way.iter().map(|x| x * x).sum::<f64>().sqrt();
+            way.map(|x| x / length)
+        };
+        (0..count).map(|_| point()).collect()
+    }
+
+    fn sides_are_right<const D: usize>(trials: usize) {
+        let agrees = |points: &[[f64; D]]| {
+            let (simplex, q) = (references(&points[..=D]), &points[D + 1]);
+            let side = precise_in_ball(&simplex, q);
+            let expected = in_ball_oracle(&simplex, q);
+            assert!(side.is_none_or(|side| side == expected), "{points:?}");
+            assert_eq!(in_ball_with_care(&simplex, q), expected, "{points:?}");
+            side.is_some()
+        };
+        for family in FAMILIES {
+            let mut random = Random(family as u64 * 100 + 70 + D as u64);
+            (0..trials).for_each(|_| _ = agrees(&points::<D>(family, D + 2, &mut random)));
+        }
+        let mut random = Random(D as u64);
+        let told = (0..trials).filter(|_| agrees(&on_sphere(D + 2, &mut random))).count();
+        assert!(told * 20 > trials * 19, "{D}D: {told} of {trials}");
+    }
+
+    #[test]
+    fn sides_of_nearly_cospherical_points_are_told() {
+        sides_are_right::<2>(400);
+        sides_are_right::<3>(200);
+        sides_are_right::<4>(60);
+        sides_are_right::<6>(10);
+    }
+
+    /// Points of a circle of radius one and one that is off it by a part of its bound.
+    #[test]
+    fn sides_within_the_bound_are_left_to_integers() {
+        let corners = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]];
+        // Edges (-1, 1), (-2, 0) and (-1 - h, -1), half of them for the scale.
+        let told = |h: f64| precise_in_ball(&references(&corners), &[-h, -1.0]);
+        assert_eq!([told(0.0), told(2f64.powi(-120))], [None; 2]);
+        // The power of the point is h^2.
+        assert_eq!([told(1e-14), told(-1e-14)], [Some(Sign::Negative); 2]);
+        assert_eq!(told(1e-17), None);
+    }
+
+    /// The edges (1, 1 + h, 0), (2, 2 + h, 0) / 2 and (0, 0, 1) have the determinant -h / 2, and sums
+    /// of magnitudes whose product is four: the bound is what the comment counts.
     #[test]
     fn what_is_lost_in_the_bound_is_left_to_integers() {
-        let error = bound::<3>(2.0) / FLAT;
+        let error = bound::<3>(3, 4.0) / FLAT;
         let told = |h: f64| {
             let points = [[0.0, -h, 0.0], [1.0, 1.0, 0.0], [2.0, 2.0, 0.0], [0.0, -h, 1.0]];
             precise_determinant(&references(&points), FLAT)

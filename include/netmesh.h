@@ -3481,6 +3481,19 @@ nm_status nm_mesh_get_simplex_regions(const struct nm_mesh *mesh,
                                       uint64_t *needed);
 
 /**
+ * Writes the simplices with all vertices on one facet, ascending: nm_quality.flat of them. Nothing
+ * but roundings of their vertices gives them a volume, so that finite elements on them are worthless.
+ *
+ * Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
+ * NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (before nm_run, nm_run at work, poisoned).
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_flat_simplices(const struct nm_mesh *mesh,
+                                     uint32_t *buf,
+                                     uint64_t capacity,
+                                     uint64_t *needed);
+
+/**
  * Gives the mesh facets, flat polygons that nm_run keeps as triangles of its simplices; 3D only.
  * They replace those of an earlier call, and those of nm_mesh_set_triangles; facets 0 removes
  * them. The result of a run stays as it is until the next.

@@ -66,8 +66,8 @@ pub fn in_ball_exact<const D: usize>(simplex: &[&[f64; D]], q: &[f64; D]) -> Sig
     outward.flip()
 }
 
-/// Returns the sign of [`in_ball_exact`] if integers of two words are enough for it, as for points of
-/// a grid; these are as fast as anything.
+/// Returns the sign of [`in_ball_exact`] if integers of two words are enough for it, as for points
+/// of a grid; these are as fast as anything.
 pub fn in_ball_in_few_bits<const D: usize>(simplex: &[&[f64; D]], q: &[f64; D]) -> Option<Sign> {
     // Edges of coordinates with more bits than that are no better, but where these are far away.
     const UNUSED: u32 = 24;

@@ -17,8 +17,9 @@ pub fn in_ball<const D: usize>(simplex: &[&[f64; D]], q: &[f64; D]) -> Sign {
     in_ball_filtered(simplex, q).unwrap_or_else(|| in_ball_with_care(simplex, q))
 }
 
-/// Returns the result of [`in_ball`] for a point that is nearly on the sphere: in integers of a word
-/// or two where these are enough, else in some 106 bits, and where that is not enough in integers.
+/// Returns the result of [`in_ball`] for a point that is nearly on the sphere: in integers of a
+/// word or two where these are enough, else in some 106 bits, and where that is not enough in
+/// integers.
 #[cold]
 #[inline(never)]
 pub fn in_ball_with_care<const D: usize>(simplex: &[&[f64; D]], q: &[f64; D]) -> Sign {

@@ -1,6 +1,6 @@
-//! Determinants, circumcentres and sides of spheres in some 106 bits, each with a bound of its error:
-//! for simplices that are too flat for doubles and points that are nearly on spheres, in a fraction of
-//! the time of integers.
+//! Determinants, circumcentres and sides of spheres in some 106 bits, each with a bound of its
+//! error: for simplices that are too flat for doubles and points that are nearly on spheres, in a
+//! fraction of the time of integers.
 //!
 //! Differences of doubles are exact here. With u the roundoff of doubles, a sum is wrong by at most
 //! 4 u^2 (|a| + |b|) and a product by 8 u^2 |a b| ([`DoubleDouble`]), beside underflow.
@@ -126,8 +126,8 @@ fn expanded<const D: usize, const SETS: usize>(
 }
 
 /// Returns the largest error of a determinant of so many rows. A level of the expansion with k
-/// products adds at most 8 + 4 (k - 1) units to those of its factors, n of them 2 n^2 + 6 n; an entry
-/// of the last column brings 4 D + 4. Twice that pays for the roundings of the permanent.
+/// products adds at most 8 + 4 (k - 1) units to those of its factors, n of them 2 n^2 + 6 n; an
+/// entry of the last column brings 4 D + 4. Twice that pays for the roundings of the permanent.
 fn bound<const D: usize>(rows: usize, permanent: f64) -> f64 {
     let units = (2 * rows * rows + 6 * rows + 4 * D + 4) as f64;
     2.0 * units * UNIT * UNIT * permanent + TINY
@@ -179,8 +179,9 @@ pub fn precise_determinant<const D: usize>(
 }
 
 /// Returns the circumcentre relative to `points[anchor]` as x * 2^e: x, a bound of the error of its
-/// components, and e; `None` for lengths out of range. The bound holds if it is at most a thousandth
-/// of the largest component; it is larger, infinite or NaN for a simplex that is too flat.
+/// components, and e; `None` for lengths out of range. The bound holds if it is at most a
+/// thousandth of the largest component; it is larger, infinite or NaN for a simplex that is too
+/// flat.
 #[cold]
 #[inline(never)]
 pub fn precise_circumcenter<const D: usize>(
@@ -357,8 +358,8 @@ mod tests {
         assert_eq!(told(1e-17), None);
     }
 
-    /// The edges (1, 1 + h, 0), (2, 2 + h, 0) / 2 and (0, 0, 1) have the determinant -h / 2, and sums
-    /// of magnitudes whose product is four: the bound is what the comment counts.
+    /// The edges (1, 1 + h, 0), (2, 2 + h, 0) / 2 and (0, 0, 1) have the determinant -h / 2, and
+    /// sums of magnitudes whose product is four: the bound is what the comment counts.
     #[test]
     fn what_is_lost_in_the_bound_is_left_to_integers() {
         let error = bound::<3>(3, 4.0) / FLAT;

@@ -175,9 +175,9 @@ impl Wedges {
         self.is_open.clear();
         self.of.clear();
         star.iter().try_for_each(|_| self.of.try_push(NONE))?;
-        for from in 0..star.len() {
-            if self.of[from] == NONE {
-                self.grow(view, is_inside, vertex, star[from])?;
+        for (at, &simplex) in star.iter().enumerate() {
+            if self.of[at] == NONE {
+                self.grow(view, is_inside, vertex, simplex)?;
             }
         }
         Ok(())

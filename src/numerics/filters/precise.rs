@@ -367,7 +367,8 @@ mod tests {
             let points = [[0.0, -h, 0.0], [1.0, 1.0, 0.0], [2.0, 2.0, 0.0], [0.0, -h, 1.0]];
             precise_determinant(&references(&points), FLAT)
         };
-        assert!((1e-18..1e-17).contains(&error), "{error}");
+        // Twice 2 * 9 + 6 * 3 for the levels and 4 * 3 + 4 for an entry.
+        assert_eq!(bound::<3>(3, 4.0), 4.0 * 104.0 * UNIT * UNIT + TINY);
         assert_eq!(told(1.9 * error), None);
         assert_eq!(told(2.1 * error), Some((-1.05 * error, 1)));
     }

@@ -112,12 +112,11 @@ impl<const D: usize> Delaunay<D> {
             let others: [SimplexId; D] =
                 std::array::from_fn(|i| neighbors[i + usize::from(i >= entry)]);
             // Two by name: the compiler does not unroll a loop as long as that.
-            let mut cross = |i: usize| {
-                search.cross(simplex, i + usize::from(i >= entry), others[i], cavity);
-            };
-            cross(0);
-            cross(1);
-            (2..D).for_each(cross);
+            search.cross_on(simplex, entry, &others, 0, cavity);
+            search.cross_on(simplex, entry, &others, 1, cavity);
+            for at in 2..D {
+                search.cross_on(simplex, entry, &others, at, cavity);
+            }
         }
         cavity.starts.try_push(cavity.boundary.len() as u32)?;
         Ok(())
@@ -145,6 +144,21 @@ impl<const D: usize> Search<'_, D> {
         cavity.queue.push_if(is_found, Found { simplex: beyond, entry: mirror });
         let facet = Facet { simplex, index: index as u32, beyond, mirror };
         cavity.boundary.push_if(!is_inside, facet);
+    }
+
+    /// Crosses one of the facets of the cavity's `simplex` but that of its entry, to the neighbour
+    /// with the same place in `others`. A closure in its stead is a call of its own or not by the
+    /// mood of the compiler, which is a tenth of all time.
+    #[inline(always)]
+    fn cross_on(
+        &mut self,
+        simplex: SimplexId,
+        entry: usize,
+        others: &[SimplexId; D],
+        at: usize,
+        cavity: &mut Cavity,
+    ) {
+        self.cross(simplex, at + usize::from(at >= entry), others[at], cavity);
     }
 
     fn test_with_care(&self, simplex: SimplexId) -> bool {

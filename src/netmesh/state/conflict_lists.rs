@@ -266,11 +266,7 @@ impl ConflictLists {
     ) -> SimplexId {
         let q = delaunay.point(input);
         let touches = &mut self.inputs[input].touches;
-        let mut holds = |simplex| {
-            *touches += 1;
-            delaunay.in_conflict(simplex, q)
-        };
-        if holds(guess) {
+        if holds(delaunay, guess, q, touches) {
             return guess;
         }
         let complex = delaunay.complex();
@@ -282,7 +278,7 @@ impl ConflictLists {
                 if opposite == apex || neighbor == previous {
                     continue;
                 }
-                if holds(neighbor) {
+                if holds(delaunay, neighbor, q, touches) {
                     return neighbor;
                 }
                 let lower = delaunay.power(neighbor, q);
@@ -293,9 +289,23 @@ impl ConflictLists {
             }
             break;
         }
-        let found = created.iter().copied().find(|&simplex| holds(simplex));
+        let mut others = created.iter().copied();
+        let found = others.find(|&simplex| holds(delaunay, simplex, q, touches));
         found.expect("a D-ball of the new vertex's star holds every input of the cavity")
     }
+}
+
+/// Returns true if the D-ball of a simplex holds a point, and counts the touch. As a closure it is
+/// inlined or not as the compiler weighs, and costs a call if not.
+#[inline(always)]
+fn holds<const D: usize>(
+    delaunay: &Delaunay<D>,
+    simplex: SimplexId,
+    q: &[f64; D],
+    touches: &mut u32,
+) -> bool {
+    *touches += 1;
+    delaunay.in_conflict(simplex, q)
 }
 
 #[cfg(test)]

@@ -146,7 +146,8 @@ def test_tetrahedra_that_are_flat_in_a_facet_are_told():
     assert len(flat) == m.quality().flat > 0 and (np.diff(flat) > 0).all()
     corners = m.points[m.simplices]
     volumes = np.abs(np.linalg.det(corners[:, 1:] - corners[:, :1]))
-    assert volumes[flat].max() < 1e-12 and (volumes < 1e-12).sum() == len(flat)
+    # A lattice has others inside.
+    assert volumes[flat].max() < 1e-12 and (volumes < 1e-12).sum() >= len(flat)
     with pytest.warns(UserWarning, match=f"{len(flat)} of the simplices have all vertices on one facet"):
         made = m.to_skfem()
     assert made.remove_elements(flat).nelements == len(m.simplices) - len(flat)

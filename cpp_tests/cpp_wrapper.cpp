@@ -431,6 +431,7 @@ void facets() {
     for (const double one : mesh.volumes()) volume += one;
     CHECK(volume > 1 - 1e-12 && volume < 1 + 1e-12);
     for (const std::int32_t label : mesh.simplex_regions()) CHECK_EQUAL(label, 9);
+    CHECK_EQUAL(mesh.flat_simplices().size(), mesh.quality().flat);
     CHECK_EQUAL(mesh.validate().violations, 0u);
 
     // Arrays, and triangles of which pairs are one facet, make the same mesh.

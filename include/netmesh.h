@@ -3482,7 +3482,8 @@ nm_status nm_mesh_get_simplex_regions(const struct nm_mesh *mesh,
 
 /**
  * Writes the simplices with all vertices on one facet, ascending: nm_quality.flat of them. Nothing
- * but roundings of their vertices gives them a volume, so that finite elements on them are worthless.
+ * but roundings of their vertices gives them a volume, so that finite elements on them are
+ * worthless.
  *
  * Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
  * NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (before nm_run, nm_run at work, poisoned).

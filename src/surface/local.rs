@@ -23,7 +23,7 @@ pub struct Local {
 }
 
 impl Local {
-    /// Numbers a triangulation anew. O(simplices + vertices log vertices).
+    /// Makes a triangulation that is numbered anew. O(simplices + vertices log vertices).
     pub fn new<const D: usize>(mesh: &Triangulation) -> AllocResult<Self> {
         let view = View::<D> { mesh };
         let vertices = order(view)?;

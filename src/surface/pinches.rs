@@ -55,13 +55,7 @@ pub fn unpinch<const D: usize>(
         is_inside,
         waiting: VecDeque::new(),
         is_waiting: filled(vertices, false)?,
-        wedges: Wedges {
-            places: Places::new(balls.view.mesh.simplex_count())?,
-            of: Vec::new(),
-            is_open: Vec::new(),
-            is_on_hull: false,
-            stack: Vec::new(),
-        },
+        wedges: Wedges::new(balls.view.mesh.simplex_count())?,
     };
     // Vertices near each other, one after the other.
     balls.view.mesh.simplices.iter().try_for_each(|&vertex| pinches.wait(vertex))?;
@@ -162,6 +156,17 @@ impl<const D: usize> Pinches<'_, D> {
 }
 
 impl Wedges {
+    /// Makes room for the wedges in a triangulation of so many simplices.
+    fn new(simplices: usize) -> AllocResult<Self> {
+        Ok(Self {
+            places: Places::new(simplices)?,
+            of: Vec::new(),
+            is_open: Vec::new(),
+            is_on_hull: false,
+            stack: Vec::new(),
+        })
+    }
+
     /// Parts the simplices round a vertex.
     fn part_star<const D: usize>(
         &mut self,

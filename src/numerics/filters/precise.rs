@@ -93,12 +93,13 @@ impl<const D: usize> ScaledEdges<D> {
     /// Returns half the squared lengths in units of which the largest length has one or two. Each
     /// is wrong by at most (4 D + 4) u^2 of it, beside underflow.
     fn half_squares(&self, top: i32) -> [DoubleDouble; D] {
-        std::array::from_fn(|r| {
-            let squares = self.rows[r].iter().map(|&x| x * x);
-            let square = squares.fold(DoubleDouble::ZERO, |sum, x| sum + x);
-            square.scaled(power_of_two(self.exponents[r] - top - 1))
-        })
+        let unit = |r: usize| power_of_two(self.exponents[r] - top - 1);
+        std::array::from_fn(|r| square(&self.rows[r]).scaled(unit(r)))
     }
+}
+
+fn square<const D: usize>(row: &[DoubleDouble; D]) -> DoubleDouble {
+    row.iter().fold(DoubleDouble::ZERO, |sum, &x| sum + x * x)
 }
 
 /// Returns determinants with the last column: at place k that without column k, at place D that
@@ -150,9 +151,9 @@ pub fn precise_in_ball<const D: usize>(simplex: &[&[f64; D]], q: &[f64; D]) -> O
         return None;
     }
     let scale = power_of_two(1023 - field);
-    for (row, square) in rows[..=D].iter_mut().zip(&mut squares) {
+    for (row, own) in rows[..=D].iter_mut().zip(&mut squares) {
         *row = row.map(|x| x.scaled(scale));
-        *square = row.iter().fold(DoubleDouble::ZERO, |sum, &x| sum + x * x);
+        *own = square(row);
     }
     let columns = Columns { rows: &rows[..=D], last: &squares[..=D] };
     let determinant = determinants(&columns)[0].high;

@@ -1,0 +1,185 @@
+//! The sides of planes and spheres that points are on: a filter in doubles first, and exact signs
+//! where it cannot tell.
+
+use super::super::ties::counts_as_inside;
+use super::tetrahedra::FACES;
+use crate::numerics::{Sign, in_ball_with_care, orientation_exact};
+
+type Point = [f64; 3];
+
+/// Differences of these magnitudes have products of five that neither overflow nor lose anything
+/// that counts.
+const SMALL: f64 = 1e-57;
+const LARGE: f64 = 1e57;
+
+/// Signs of the points of a triangulation, and how many the filters did not tell.
+pub(super) struct Signs<'a> {
+    points: &'a [Point],
+    pub fallbacks: u64,
+}
+
+impl<'a> Signs<'a> {
+    pub fn new(points: &'a [Point]) -> Self {
+        Self { points, fallbacks: 0 }
+    }
+
+    #[inline]
+    fn at(&self, vertex: u32) -> &'a Point {
+        &self.points[vertex as usize]
+    }
+
+    /// Returns the orientation of three corners and a vertex: positive where the vertex sees the
+    /// corners counterclockwise.
+    #[inline]
+    pub fn orientation(&mut self, face: [u32; 3], vertex: u32) -> Sign {
+        let [a, b, c] = [self.at(face[0]), self.at(face[1]), self.at(face[2])];
+        let q = self.at(vertex);
+        let (determinant, bound) = orientation(a, b, c, q);
+        match (determinant > bound, determinant < -bound) {
+            (true, _) => Sign::Positive,
+            (_, true) => Sign::Negative,
+            _ => self.orientation_with_care([a, b, c], q),
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn orientation_with_care(&mut self, [a, b, c]: [&Point; 3], q: &Point) -> Sign {
+        self.fallbacks += 1;
+        orientation_exact(&[a, b, c, q])
+    }
+
+    /// Returns true if a vertex is inside the sphere through the corners of a positive tetrahedron.
+    /// On the sphere it counts as inside or not by [`counts_as_inside`].
+    #[inline]
+    pub fn is_in_sphere(&mut self, corners: &[u32; 4], vertex: u32) -> bool {
+        let [a, b] = [self.at(corners[0]), self.at(corners[1])];
+        let [c, d] = [self.at(corners[2]), self.at(corners[3])];
+        let (determinant, bound) = in_sphere(a, b, c, d, self.at(vertex));
+        match (determinant > bound, determinant < -bound) {
+            (true, _) => true,
+            (_, true) => false,
+            _ => self.is_in_sphere_with_care(corners, vertex),
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn is_in_sphere_with_care(&mut self, corners: &[u32; 4], vertex: u32) -> bool {
+        self.fallbacks += 1;
+        let simplex = corners.map(|corner| self.at(corner));
+        match in_ball_with_care(&simplex, self.at(vertex)) {
+            Sign::Positive => true,
+            Sign::Negative => false,
+            Sign::Zero => counts_as_inside(corners, vertex, |place| {
+                self.orientation(FACES[place].map(|at| corners[at]), vertex)
+            }),
+        }
+    }
+}
+
+#[inline(always)]
+fn larger(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
+}
+
+/// Returns a bound in units of its product, or infinity if something may underflow or overflow.
+#[inline(always)]
+fn checked([x, y, z]: [f64; 3], bound: f64) -> f64 {
+    let least = if x < y { x } else { y };
+    let least = if least < z { least } else { z };
+    let largest = larger(larger(x, y), z);
+    if least > SMALL && largest < LARGE { bound } else { f64::INFINITY }
+}
+
+/// Returns the determinant of an orientation, and a bound of its error: the sum of six products, of
+/// one difference along each axis, with at most eight roundings each.
+#[inline(always)]
+fn orientation(a: &Point, b: &Point, c: &Point, q: &Point) -> (f64, f64) {
+    const BOUND: f64 = 6.0 * 4.5 * f64::EPSILON;
+    let (ax, ay, az) = (a[0] - q[0], a[1] - q[1], a[2] - q[2]);
+    let (bx, by, bz) = (b[0] - q[0], b[1] - q[1], b[2] - q[2]);
+    let (cx, cy, cz) = (c[0] - q[0], c[1] - q[1], c[2] - q[2]);
+    let x = larger(larger(ax.abs(), bx.abs()), cx.abs());
+    let y = larger(larger(ay.abs(), by.abs()), cy.abs());
+    let z = larger(larger(az.abs(), bz.abs()), cz.abs());
+    let (ab, ac, bc) = (bx * ay - ax * by, cx * ay - ax * cy, cx * by - bx * cy);
+    let determinant = az * bc - bz * ac + cz * ab;
+    (determinant, checked([x, y, z], BOUND * (x * y * z)))
+}
+
+/// Returns the determinant whose sign is the side of a sphere, and a bound of its error: the sum of
+/// 24 products of a difference along each axis and a squared length, with at most 17 roundings
+/// each.
+#[inline(always)]
+fn in_sphere(a: &Point, b: &Point, c: &Point, d: &Point, q: &Point) -> (f64, f64) {
+    const BOUND: f64 = 24.0 * 9.0 * f64::EPSILON;
+    // Arrays that are mapped would be calls, here where most of the time goes.
+    let (ax, ay, az) = (a[0] - q[0], a[1] - q[1], a[2] - q[2]);
+    let (bx, by, bz) = (b[0] - q[0], b[1] - q[1], b[2] - q[2]);
+    let (cx, cy, cz) = (c[0] - q[0], c[1] - q[1], c[2] - q[2]);
+    let (dx, dy, dz) = (d[0] - q[0], d[1] - q[1], d[2] - q[2]);
+    let x = larger(larger(ax.abs(), bx.abs()), larger(cx.abs(), dx.abs()));
+    let y = larger(larger(ay.abs(), by.abs()), larger(cy.abs(), dy.abs()));
+    let z = larger(larger(az.abs(), bz.abs()), larger(cz.abs(), dz.abs()));
+    let (ab, ac, ad) = (ax * by - bx * ay, ax * cy - cx * ay, ax * dy - dx * ay);
+    let (bc, bd, cd) = (bx * cy - cx * by, bx * dy - dx * by, cx * dy - dx * cy);
+    let abc = az * bc - bz * ac + cz * ab;
+    let abd = az * bd - bz * ad + dz * ab;
+    let acd = az * cd - cz * ad + dz * ac;
+    let bcd = bz * cd - cz * bd + dz * bc;
+    let (a2, b2) = (ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz);
+    let (c2, d2) = (cx * cx + cy * cy + cz * cz, dx * dx + dy * dy + dz * dz);
+    let determinant = (a2 * bcd - b2 * acd) + (c2 * abd - d2 * abc);
+    let bound = BOUND * (x * y * z) * (x * x + y * y + z * z);
+    (determinant, checked([x, y, z], bound))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::testing::{FAMILIES, Random, in_ball_oracle, orientation_oracle, points};
+
+    #[test]
+    fn signs_are_those_of_integers_at_every_scale() {
+        for family in FAMILIES {
+            for trial in 0..2000 {
+                let mut random = Random(70_000 * family as u64 + trial);
+                let scale = 2f64.powi(random.integer(-300, 250) as i32);
+                let given = points::<3>(family, 5, &mut random).map_all(scale);
+                check(&given, &format!("{family:?} {trial}"));
+            }
+        }
+    }
+
+    trait MapAll {
+        fn map_all(self, scale: f64) -> Vec<Point>;
+    }
+
+    impl MapAll for Vec<Point> {
+        fn map_all(self, scale: f64) -> Vec<Point> {
+            self.into_iter().map(|point| point.map(|x| x * scale)).collect()
+        }
+    }
+
+    fn check(points: &[Point], label: &str) {
+        if !points.as_flattened().iter().all(|x| x.is_finite()) {
+            return;
+        }
+        let mut signs = Signs::new(points);
+        let [a, b, c, d, q] = [0, 1, 2, 3, 4].map(|at| &points[at]);
+        let turn = orientation_oracle(&[a, b, c, d]);
+        assert_eq!(signs.orientation([0, 1, 2], 3), turn, "{label} {points:?}");
+        let corners = match turn {
+            Sign::Positive => [0, 1, 2, 3],
+            Sign::Negative => [1, 0, 2, 3],
+            Sign::Zero => return,
+        };
+        let simplex = corners.map(|at| &points[at as usize]);
+        let side = in_ball_oracle(&simplex, q);
+        if side != Sign::Zero {
+            let inside = signs.is_in_sphere(&corners, 4);
+            assert_eq!(inside, side == Sign::Positive, "{label} {points:?}");
+        }
+    }
+}

@@ -5,7 +5,7 @@ use super::links::Links;
 use super::region::Region;
 use super::room::Room;
 use super::signs::Signs;
-use super::tetrahedra::{FACES, Face, INFINITE, Tetrahedra};
+use super::tetrahedra::{FACES, Face, INFINITE, Record, Tetrahedra};
 use crate::memory::{AllocResult, TryGrow};
 use crate::numerics::Sign;
 
@@ -87,7 +87,7 @@ impl<'a> Inserter<'a> {
                 return Ok(Outcome::Inserted);
             }
         };
-        self.cavity.iter().for_each(|&tetrahedron| tetrahedra.revive(tetrahedron));
+        self.cavity.iter().for_each(|&tetrahedron| tetrahedra.at(tetrahedron).revive());
         Ok(outcome)
     }
 
@@ -136,18 +136,18 @@ impl<'a> Inserter<'a> {
         self.cavity.clear();
         self.rim.clear();
         self.cavity.try_push(first)?;
-        tetrahedra.kill(first);
+        tetrahedra.at(first).kill();
         let mut next = 0;
         while let Some(&tetrahedron) = self.cavity.get(next) {
             next += 1;
-            let corners = tetrahedra.corners(tetrahedron);
-            for place in 0..4 {
-                let outside = tetrahedra.twin(4 * tetrahedron + place);
-                let other = outside / 4;
-                if tetrahedra.is_dead(other) {
+            let record = tetrahedra.at(tetrahedron);
+            let (corners, twins) = (record.corners(), record.twins());
+            for (outside, place) in twins.into_iter().zip(0..) {
+                let other = tetrahedra.at(outside / 4);
+                if other.is_dead() {
                     continue;
                 }
-                let others = tetrahedra.corners(other);
+                let others = other.corners();
                 if !self.is_in_conflict(tetrahedra, other, &others, vertex) {
                     self.rim.try_push(RimFace { corners, place, outside })?;
                     continue;
@@ -155,8 +155,8 @@ impl<'a> Inserter<'a> {
                 if !self.is_own(&others) {
                     return Ok(false);
                 }
-                tetrahedra.kill(other);
-                self.cavity.try_push(other)?;
+                other.kill();
+                self.cavity.try_push(outside / 4)?;
             }
         }
         Ok(true)
@@ -169,7 +169,7 @@ impl<'a> Inserter<'a> {
     fn is_in_conflict(
         &mut self,
         tetrahedra: &Tetrahedra,
-        tetrahedron: u32,
+        record: &Record,
         corners: &[u32; 4],
         vertex: u32,
     ) -> bool {
@@ -180,7 +180,7 @@ impl<'a> Inserter<'a> {
             Sign::Positive => true,
             Sign::Negative => false,
             Sign::Zero => {
-                let finite = tetrahedra.corners(tetrahedra.twin(4 * tetrahedron + 3) / 4);
+                let finite = tetrahedra.corners(record.twins()[3] / 4);
                 self.signs.is_in_sphere(&finite, vertex)
             }
         }
@@ -194,7 +194,7 @@ impl<'a> Inserter<'a> {
             let taken = places.next().copied().or_else(|| self.room.take());
             let tetrahedron = taken.expect("there is room for the star");
             corners[place as usize] = vertex;
-            tetrahedra.set(tetrahedron, corners);
+            tetrahedra.at(tetrahedron).set(corners);
             tetrahedra.join(4 * tetrahedron + place, outside);
             if corners[3] != INFINITE {
                 self.last = tetrahedron;

@@ -1,53 +1,58 @@
 //! The tetrahedra of a triangulation in an order that depends on nothing but their corners.
 
 use super::super::output::Simplices;
-use super::tetrahedra::{INFINITE, Tetrahedra};
+use super::tetrahedra::{INFINITE, Record, Tetrahedra};
 use crate::error::Result;
-use crate::memory::{TryGrow, filled, with_capacity};
+use crate::memory::{TryGrow, filled, prefetch_at, with_capacity};
 use crate::mesh::NONE;
 use crate::netmesh::state::watch::Watch;
+
+/// Tetrahedra that are fetched while others are sorted.
+const AHEAD: usize = 16;
 
 impl Tetrahedra {
     /// Returns the finite tetrahedra, sorted by their corners, of which the least comes first and
     /// the least of the others second.
     pub fn sorted(&self, vertices: usize, watch: &mut Watch<'_, '_>) -> Result<Simplices> {
-        let mut of_least = self.by_least_corner(vertices, watch)?;
+        let of_least = self.by_least_corner(vertices, watch)?;
         let count = of_least.tetrahedra.len();
         let mut numbers = filled(self.count(), NONE)?;
         let (mut simplices, mut neighbors) = (with_capacity(4 * count)?, with_capacity(4 * count)?);
-        let mut sorted = Vec::new();
+        let mut own = Vec::new();
         for ends in of_least.starts.windows(2) {
             watch.poll_after(1)?;
-            let own = &mut of_least.tetrahedra[ends[0] as usize..ends[1] as usize];
-            sorted.clear();
-            for &tetrahedron in own.iter() {
-                let corners = self.corners(tetrahedron);
-                sorted.try_push((order(&corners).map(|place| corners[place]), tetrahedron))?;
+            own.clear();
+            for at in ends[0] as usize..ends[1] as usize {
+                if let Some(&later) = of_least.tetrahedra.get(at + AHEAD) {
+                    prefetch_at(self.all(), later as usize, 1);
+                }
+                let tetrahedron = of_least.tetrahedra[at];
+                let record = self.at(tetrahedron);
+                let (corners, twins) = (record.corners(), record.twins());
+                let order = order(&corners);
+                let row = |of: [u32; 4]| order.map(|place| of[place]);
+                own.try_push((row(corners), row(twins), tetrahedron))?;
             }
-            sorted.sort_unstable();
-            for ((place, (corners, tetrahedron)), number) in own.iter_mut().zip(&sorted).zip(ends[0]..) {
-                *place = *tetrahedron;
+            own.sort_unstable();
+            for ((corners, twins, tetrahedron), number) in own.iter().zip(ends[0]..) {
                 numbers[*tetrahedron as usize] = number;
                 simplices.extend(corners);
+                neighbors.extend(twins);
             }
         }
-        for &tetrahedron in &of_least.tetrahedra {
+        for neighbor in &mut neighbors {
             watch.poll_after(1)?;
-            neighbors.extend(order(&self.corners(tetrahedron)).map(|place| {
-                let other = self.twin(4 * tetrahedron + place as u32) / 4;
-                numbers[other as usize]
-            }));
+            *neighbor = numbers[(*neighbor / 4) as usize];
         }
         Ok(Simplices { vertices: simplices, neighbors })
     }
 
     /// Returns the finite tetrahedra by their least corners.
     fn by_least_corner(&self, vertices: usize, watch: &mut Watch<'_, '_>) -> Result<Lists> {
-        let all = 0..self.count() as u32;
         let mut starts = filled(vertices + 1, 0u32)?;
-        for tetrahedron in all.clone() {
+        for record in self.all() {
             watch.poll_after(1)?;
-            if let Some(least) = self.least_corner(tetrahedron) {
+            if let Some(least) = least_corner(record) {
                 starts[least as usize + 1] += 1;
             }
         }
@@ -55,9 +60,9 @@ impl Tetrahedra {
             starts[vertex + 1] += starts[vertex];
         }
         let mut tetrahedra = filled(starts[vertices] as usize, 0)?;
-        for tetrahedron in all.rev() {
+        for (record, tetrahedron) in self.all().iter().zip(0..) {
             watch.poll_after(1)?;
-            if let Some(least) = self.least_corner(tetrahedron) {
+            if let Some(least) = least_corner(record) {
                 // Beginnings are ends until their list is full.
                 let end = &mut starts[least as usize + 1];
                 *end -= 1;
@@ -68,13 +73,13 @@ impl Tetrahedra {
         starts[vertices] = tetrahedra.len() as u32;
         Ok(Lists { starts, tetrahedra })
     }
+}
 
-    /// Returns the least corner of a finite tetrahedron.
-    #[inline]
-    fn least_corner(&self, tetrahedron: u32) -> Option<u32> {
-        let [a, b, c, d] = self.corners(tetrahedron);
-        (d != INFINITE && !self.is_dead(tetrahedron)).then(|| a.min(b).min(c.min(d)))
-    }
+/// Returns the least corner of a finite tetrahedron.
+#[inline]
+fn least_corner(record: &Record) -> Option<u32> {
+    let [a, b, c, d] = record.corners();
+    (d != INFINITE && !record.is_dead()).then(|| a.min(b).min(c.min(d)))
 }
 
 /// Tetrahedra of each vertex, one list after the other.

@@ -8,7 +8,7 @@
 use crate::error::Result;
 use crate::memory::{AllocError, AllocResult, reserve, with_capacity};
 use std::ops::Range;
-use std::sync::atomic::{AtomicBool, AtomicU32, Ordering::Relaxed};
+use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
 /// The vertex at infinity.
 pub(super) const INFINITE: u32 = u32::MAX;
@@ -23,17 +23,63 @@ pub(super) type Face = u32;
 /// the tetrahedron is an even permutation of the three and the vertex.
 pub(super) const FACES: [[usize; 3]; 4] = [[1, 3, 2], [0, 2, 3], [1, 0, 3], [0, 1, 2]];
 
+/// Mark of a first corner: the tetrahedron is no more, or not yet.
+const DEAD: u32 = 1 << 31;
+
 /// Corners of a tetrahedron, and for each face that of the other one there.
 #[repr(align(32))]
-struct Record {
+pub(super) struct Record {
     corners: [AtomicU32; 4],
     twins: [AtomicU32; 4],
 }
 
+impl Record {
+    /// Returns the corners; of a dead tetrahedron those that it had.
+    #[inline]
+    pub fn corners(&self) -> [u32; 4] {
+        let [a, b, c, d] = &self.corners;
+        [a.load(Relaxed) & !DEAD, b.load(Relaxed), c.load(Relaxed), d.load(Relaxed)]
+    }
+
+    /// Returns the faces on the other sides of the faces opposite the corners.
+    #[inline]
+    pub fn twins(&self) -> [Face; 4] {
+        let [a, b, c, d] = &self.twins;
+        [a.load(Relaxed), b.load(Relaxed), c.load(Relaxed), d.load(Relaxed)]
+    }
+
+    #[inline]
+    pub fn is_dead(&self) -> bool {
+        self.corners[0].load(Relaxed) & DEAD != 0
+    }
+
+    /// Kills a tetrahedron, whose corners and twins stay until its place is needed.
+    #[inline]
+    pub fn kill(&self) {
+        self.corners[0].store(self.corners[0].load(Relaxed) | DEAD, Relaxed);
+    }
+
+    /// Brings back a tetrahedron that was killed.
+    pub fn revive(&self) {
+        self.corners[0].store(self.corners[0].load(Relaxed) & !DEAD, Relaxed);
+    }
+
+    /// Makes a tetrahedron in the place of a dead one.
+    #[inline]
+    pub fn set(&self, corners: [u32; 4]) {
+        for (place, corner) in self.corners.iter().zip(corners) {
+            place.store(corner, Relaxed);
+        }
+    }
+
+    #[inline]
+    fn join(&self, place: usize, other: Face) {
+        self.twins[place].store(other, Relaxed);
+    }
+}
+
 pub(super) struct Tetrahedra {
     records: Vec<Record>,
-    /// Those that are no more, or not yet.
-    dead: Vec<AtomicBool>,
 }
 
 impl Tetrahedra {
@@ -41,13 +87,12 @@ impl Tetrahedra {
     /// room for what some `vertices` need if they are uniform.
     pub fn new(corners: [u32; 4], vertices: usize) -> Result<Self> {
         let expected = 7 * vertices + 64;
-        let mut made =
-            Self { records: with_capacity(expected)?, dead: with_capacity(expected)? };
+        let mut made = Self { records: with_capacity(expected)? };
         made.grow(5)?;
-        made.set(0, corners);
+        made.at(0).set(corners);
         for (face, beyond) in (0..4).zip(1..5) {
             let [a, b, c] = FACES[face as usize].map(|place| corners[place]);
-            made.set(beyond, [b, a, c, INFINITE]);
+            made.at(beyond).set([b, a, c, INFINITE]);
             made.join(face, 4 * beyond + 3);
         }
         for (one, other) in (1..5).flat_map(|one| (one + 1..5).map(move |other| (one, other))) {
@@ -78,59 +123,38 @@ impl Tetrahedra {
         if end < begin + least {
             return Err(AllocError::Ids);
         }
-        reserve(&mut self.dead, end - begin)?;
-        let none = || [const { AtomicU32::new(0) }; 4];
+        let none = || [const { AtomicU32::new(DEAD) }; 4];
         self.records.resize_with(end, || Record { corners: none(), twins: none() });
-        self.dead.resize_with(end, || AtomicBool::new(true));
         Ok(begin as u32..end as u32)
     }
 
     #[inline]
+    pub fn at(&self, tetrahedron: u32) -> &Record {
+        &self.records[tetrahedron as usize]
+    }
+
+    pub fn all(&self) -> &[Record] {
+        &self.records
+    }
+
+    #[inline]
     pub fn corners(&self, tetrahedron: u32) -> [u32; 4] {
-        let [a, b, c, d] = &self.records[tetrahedron as usize].corners;
-        [a.load(Relaxed), b.load(Relaxed), c.load(Relaxed), d.load(Relaxed)]
+        self.at(tetrahedron).corners()
     }
 
     #[inline]
     pub fn twin(&self, face: Face) -> Face {
-        self.records[(face / 4) as usize].twins[(face % 4) as usize].load(Relaxed)
+        self.at(face / 4).twins[(face % 4) as usize].load(Relaxed)
     }
 
     pub fn is_finite(&self, tetrahedron: u32) -> bool {
         self.corners(tetrahedron)[3] != INFINITE
     }
 
-    #[inline]
-    pub fn is_dead(&self, tetrahedron: u32) -> bool {
-        self.dead[tetrahedron as usize].load(Relaxed)
-    }
-
-    /// Kills a tetrahedron, whose corners and twins stay until its place is needed.
-    #[inline]
-    pub fn kill(&self, tetrahedron: u32) {
-        self.dead[tetrahedron as usize].store(true, Relaxed);
-    }
-
-    /// Brings back a tetrahedron that was killed.
-    #[inline]
-    pub fn revive(&self, tetrahedron: u32) {
-        self.dead[tetrahedron as usize].store(false, Relaxed);
-    }
-
-    /// Makes a tetrahedron in the place of a dead one.
-    #[inline]
-    pub fn set(&self, tetrahedron: u32, corners: [u32; 4]) {
-        let record = &self.records[tetrahedron as usize];
-        for (place, corner) in record.corners.iter().zip(corners) {
-            place.store(corner, Relaxed);
-        }
-        self.revive(tetrahedron);
-    }
-
     /// Makes two faces the sides of one.
     #[inline]
     pub fn join(&self, face: Face, other: Face) {
-        self.records[(face / 4) as usize].twins[(face % 4) as usize].store(other, Relaxed);
-        self.records[(other / 4) as usize].twins[(other % 4) as usize].store(face, Relaxed);
+        self.at(face / 4).join((face % 4) as usize, other);
+        self.at(other / 4).join((other % 4) as usize, face);
     }
 }

@@ -6,7 +6,7 @@ use super::region::Region;
 use super::room::Room;
 use super::signs::Signs;
 use super::tetrahedra::{FACES, Face, INFINITE, Record, Tetrahedra};
-use crate::memory::{AllocResult, TryGrow};
+use crate::memory::{AllocResult, TryGrow, reserve};
 use crate::numerics::Sign;
 
 /// What became of a point.
@@ -23,7 +23,7 @@ pub(super) enum Outcome {
 pub(super) struct Inserter<'a> {
     points: &'a [[f64; 3]],
     region: Region,
-    pub signs: Signs<'a>,
+    signs: Signs<'a>,
     pub room: Room,
     /// A finite tetrahedron of the last vertex, where the next walk begins.
     pub last: u32,
@@ -41,18 +41,27 @@ struct RimFace {
     /// Corners of the tetrahedron of the cavity.
     corners: [u32; 4],
     /// The place of the corner opposite.
-    place: u32,
+    place: usize,
     outside: Face,
 }
 
 impl<'a> Inserter<'a> {
-    /// Begins at a finite tetrahedron.
-    pub fn new(points: &'a [[f64; 3]], region: Region, room: Room, last: u32) -> Self {
+    /// Begins in all of space, at a finite tetrahedron.
+    pub fn new(points: &'a [[f64; 3]], last: u32) -> Self {
+        Self::at(points, Region::ALL, Signs::new(points), last)
+    }
+
+    /// Returns one that inserts in a region and begins there, at a finite tetrahedron.
+    pub fn in_region(&self, region: Region, last: u32) -> Self {
+        Self::at(self.points, region, self.signs.again(), last)
+    }
+
+    fn at(points: &'a [[f64; 3]], region: Region, signs: Signs<'a>, last: u32) -> Self {
         Self {
             points,
             region,
-            signs: Signs::new(points),
-            room,
+            signs,
+            room: Room::default(),
             last,
             cavity: Vec::new(),
             rim: Vec::new(),
@@ -72,6 +81,11 @@ impl<'a> Inserter<'a> {
         self.most_steps = self.most_steps.max(other.most_steps);
         self.created += other.created;
         Ok(())
+    }
+
+    /// Returns the number of signs that filters did not tell.
+    pub fn fallbacks(&self) -> u64 {
+        self.signs.fallbacks
     }
 
     /// Inserts a point, or leaves everything as it was.
@@ -142,46 +156,44 @@ impl<'a> Inserter<'a> {
             next += 1;
             let record = tetrahedra.at(tetrahedron);
             let (corners, twins) = (record.corners(), record.twins());
-            for (outside, place) in twins.into_iter().zip(0..) {
+            reserve(&mut self.cavity, 4)?;
+            reserve(&mut self.rim, 4)?;
+            for place in 0..4 {
+                let outside = twins[place];
                 let other = tetrahedra.at(outside / 4);
                 if other.is_dead() {
                     continue;
                 }
                 let others = other.corners();
-                if !self.is_in_conflict(tetrahedra, other, &others, vertex) {
-                    self.rim.try_push(RimFace { corners, place, outside })?;
+                let is_in_conflict = match others[3] {
+                    INFINITE => self.is_beyond(tetrahedra, other, vertex),
+                    _ => self.signs.is_in_sphere(&others, vertex),
+                };
+                if !is_in_conflict {
+                    self.rim.push(RimFace { corners, place, outside });
                     continue;
                 }
                 if !self.is_own(&others) {
                     return Ok(false);
                 }
                 other.kill();
-                self.cavity.try_push(outside / 4)?;
+                self.cavity.push(outside / 4);
             }
         }
         Ok(true)
     }
 
-    /// Returns true if a point is inside the ball of a tetrahedron. That of an infinite one is the
-    /// open half-space beyond its face, and of the plane what is inside the ball of the finite one
-    /// there.
-    #[inline]
-    fn is_in_conflict(
-        &mut self,
-        tetrahedra: &Tetrahedra,
-        record: &Record,
-        corners: &[u32; 4],
-        vertex: u32,
-    ) -> bool {
-        if corners[3] != INFINITE {
-            return self.signs.is_in_sphere(corners, vertex);
-        }
-        match self.signs.orientation([corners[0], corners[1], corners[2]], vertex) {
+    /// Returns true if a point is strictly beyond the face of an infinite tetrahedron, or on its
+    /// plane and inside the ball of the finite one there.
+    #[inline(never)]
+    fn is_beyond(&mut self, tetrahedra: &Tetrahedra, infinite: &Record, vertex: u32) -> bool {
+        let [a, b, c, _] = infinite.corners();
+        match self.signs.orientation([a, b, c], vertex) {
             Sign::Positive => true,
             Sign::Negative => false,
             Sign::Zero => {
-                let finite = tetrahedra.corners(record.twins()[3] / 4);
-                self.signs.is_in_sphere(&finite, vertex)
+                let finite = tetrahedra.corners(infinite.twins()[3] / 4);
+                self.signs.is_in_sphere_with_care(&finite, vertex)
             }
         }
     }
@@ -193,17 +205,20 @@ impl<'a> Inserter<'a> {
         for &RimFace { mut corners, place, outside } in &self.rim {
             let taken = places.next().copied().or_else(|| self.room.take());
             let tetrahedron = taken.expect("there is room for the star");
-            corners[place as usize] = vertex;
-            tetrahedra.at(tetrahedron).set(corners);
-            tetrahedra.join(4 * tetrahedron + place, outside);
+            corners[place] = vertex;
+            let record = tetrahedra.at(tetrahedron);
+            record.set(corners);
+            record.join(place, outside);
+            tetrahedra.at(outside / 4).join((outside % 4) as usize, 4 * tetrahedron + place as u32);
             if corners[3] != INFINITE {
                 self.last = tetrahedron;
             }
-            let [a, b, c] = FACES[place as usize];
+            let [a, b, c] = FACES[place];
             for (opposite, [from, to]) in [(a, [b, c]), (b, [c, a]), (c, [a, b])] {
                 let face = 4 * tetrahedron + opposite as u32;
                 if let Some(other) = self.links.meet(corners[from], corners[to], face) {
-                    tetrahedra.join(face, other);
+                    record.join(opposite, other);
+                    tetrahedra.at(other / 4).join((other % 4) as usize, face);
                 }
             }
         }

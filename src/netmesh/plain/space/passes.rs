@@ -1,8 +1,7 @@
 //! Rounds of insertions, on one thread or on several.
 
 use super::insertion::{Inserter, Outcome};
-use super::region::{Part, Region, parts};
-use super::room::Room;
+use super::region::{Part, parts};
 use super::tetrahedra::Tetrahedra;
 use crate::error::Result;
 use crate::memory::{TryGrow, with_capacity};
@@ -44,7 +43,7 @@ struct Left<'a> {
 impl<'a> Passes<'a> {
     /// Begins with a tetrahedron of positive orientation.
     pub fn new(points: &'a [[f64; 3]], first: [u32; 4], threads: usize) -> Result<Self> {
-        let inserter = Inserter::new(points, Region::ALL, Room::default(), 0);
+        let inserter = Inserter::new(points, 0);
         let tetrahedra = Tetrahedra::new(first, points.len())?;
         Ok(Self { points, threads, tetrahedra, inserter, inserted: 4, passes: 0 })
     }
@@ -128,7 +127,7 @@ impl<'a> Passes<'a> {
             let found = self.inserter.locate(&self.tetrahedra, vertex);
             let start = found.filter(|&found| self.tetrahedra.is_finite(found));
             let Some(start) = start else { continue };
-            let mut inserter = Inserter::new(self.points, part.region, Room::default(), start);
+            let mut inserter = self.inserter.in_region(part.region, start);
             if inserter.is_own(&self.tetrahedra.corners(start)) {
                 let places = PLACES * part.pending.len();
                 self.make_room(places.saturating_sub(self.inserter.room.in_ranges()))?;
@@ -161,7 +160,7 @@ impl<'a> Passes<'a> {
         stats.passes = self.passes;
         stats.touches = self.inserter.steps;
         stats.max_touches = self.inserter.most_steps;
-        stats.exact_fallbacks = self.inserter.signs.fallbacks;
+        stats.exact_fallbacks = self.inserter.fallbacks();
         stats.simplices_created = self.inserter.created;
     }
 }

@@ -15,12 +15,27 @@ const LARGE: f64 = 1e57;
 /// Signs of the points of a triangulation, and how many the filters did not tell.
 pub(super) struct Signs<'a> {
     points: &'a [Point],
+    /// True where doubles are exact: coordinates have so few bits, as those of voxels do.
+    are_planes_exact: bool,
+    are_spheres_exact: bool,
     pub fallbacks: u64,
 }
 
 impl<'a> Signs<'a> {
     pub fn new(points: &'a [Point]) -> Self {
-        Self { points, fallbacks: 0 }
+        let bits = bits(points.as_flattened());
+        Self {
+            points,
+            // Differences have one bit more, and sums of 6 and of 72 products three and seven.
+            are_planes_exact: 3 * (bits + 1) + 3 <= f64::MANTISSA_DIGITS,
+            are_spheres_exact: 5 * (bits + 1) + 7 <= f64::MANTISSA_DIGITS,
+            fallbacks: 0,
+        }
+    }
+
+    /// Returns signs of the same points, for another thread.
+    pub fn again(&self) -> Self {
+        Self { fallbacks: 0, ..*self }
     }
 
     #[inline]
@@ -38,6 +53,7 @@ impl<'a> Signs<'a> {
         match (determinant > bound, determinant < -bound) {
             (true, _) => Sign::Positive,
             (_, true) => Sign::Negative,
+            _ if self.are_planes_exact => Sign::of(determinant),
             _ => self.orientation_with_care([a, b, c], q),
         }
     }
@@ -51,7 +67,7 @@ impl<'a> Signs<'a> {
 
     /// Returns true if a vertex is inside the sphere through the corners of a positive tetrahedron.
     /// On the sphere it counts as inside or not by [`counts_as_inside`].
-    #[inline]
+    #[inline(always)]
     pub fn is_in_sphere(&mut self, corners: &[u32; 4], vertex: u32) -> bool {
         let [a, b] = [self.at(corners[0]), self.at(corners[1])];
         let [c, d] = [self.at(corners[2]), self.at(corners[3])];
@@ -64,9 +80,10 @@ impl<'a> Signs<'a> {
         }
     }
 
+    /// Returns the result of [`Self::is_in_sphere`] for a vertex that is near the sphere.
     #[cold]
     #[inline(never)]
-    fn is_in_sphere_with_care(&mut self, corners: &[u32; 4], vertex: u32) -> bool {
+    pub fn is_in_sphere_with_care(&mut self, corners: &[u32; 4], vertex: u32) -> bool {
         let simplex = corners.map(|corner| self.at(corner));
         let [a, b, c, d] = simplex;
         let (determinant, bound) = in_sphere(a, b, c, d, self.at(vertex));
@@ -74,7 +91,11 @@ impl<'a> Signs<'a> {
             return determinant > 0.0;
         }
         self.fallbacks += 1;
-        match in_ball_with_care(&simplex, self.at(vertex)) {
+        let side = match self.are_spheres_exact {
+            true => Sign::of(determinant),
+            false => in_ball_with_care(&simplex, self.at(vertex)),
+        };
+        match side {
             Sign::Positive => true,
             Sign::Negative => false,
             Sign::Zero => counts_as_inside(corners, vertex, |place| {
@@ -82,6 +103,23 @@ impl<'a> Signs<'a> {
             }),
         }
     }
+}
+
+/// Returns the number of bits of integers that the coordinates are in some unit; more than those of
+/// a double if products of five may overflow or underflow.
+fn bits(coordinates: &[f64]) -> u32 {
+    const MANY: u32 = u32::MAX / 8;
+    let (mut lowest, mut highest) = (i32::MAX, i32::MIN);
+    for x in coordinates.iter().map(|x| x.abs()).filter(|x| *x != 0.0) {
+        if !(SMALL..LARGE).contains(&x) {
+            return MANY;
+        }
+        let exponent = (x.to_bits() >> 52) as i32 - 1023;
+        let fraction = x.to_bits() & ((1 << 52) - 1) | 1 << 52;
+        lowest = lowest.min(exponent - 52 + fraction.trailing_zeros() as i32);
+        highest = highest.max(exponent);
+    }
+    if lowest > highest { 0 } else { (highest - lowest + 1) as u32 }
 }
 
 #[inline(always)]
@@ -202,6 +240,40 @@ mod tests {
                 let scale = 2f64.powi(random.integer(-300, 250) as i32);
                 let given = points::<3>(family, 5, &mut random).map_all(scale);
                 check(&given, &format!("{family:?} {trial}"));
+            }
+        }
+    }
+
+    #[test]
+    fn bits_are_those_of_integers() {
+        assert_eq!(bits(&[]), 0);
+        assert_eq!(bits(&[0.0, -1.0, 255.0]), 8);
+        assert_eq!(bits(&[-256.0, 0.5]), 10);
+        assert_eq!(bits(&[1.0 / 3.0]), 53);
+        assert!([1e-300, 1e300, f64::MIN_POSITIVE / 4.0].iter().all(|&x| bits(&[x, 1.0]) > 1000));
+    }
+
+    /// Integers of as many bits as doubles are trusted with, and of one more.
+    #[test]
+    fn signs_of_integers_are_exact_up_to_their_bits() {
+        for (most, are_exact) in [(255, [true, true]), (511, [true, false]), (1 << 16, [false; 2])]
+        {
+            let mut random = Random(most as u64);
+            for trial in 0..4000 {
+                let far = |x: i64| [(-most, -most / 2), (most / 2, most)][(x > 0) as usize];
+                let given: Vec<Point> = (0..5)
+                    .map(|_| {
+                        [0, 1, 2].map(|_| {
+                            let (low, high) = far(random.integer(0, 1));
+                            let step = if trial % 2 == 0 { most / 2 } else { 1 };
+                            (random.integer(low, high) / step * step) as f64
+                        })
+                    })
+                    .chain([[most as f64, 1.0, 0.0]])
+                    .collect();
+                let signs = Signs::new(&given);
+                assert_eq!([signs.are_planes_exact, signs.are_spheres_exact], are_exact);
+                check(&given, &format!("{most} {trial}"));
             }
         }
     }

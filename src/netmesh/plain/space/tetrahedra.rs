@@ -72,8 +72,9 @@ impl Record {
         }
     }
 
+    /// Makes a face that of another tetrahedron, too.
     #[inline]
-    fn join(&self, place: usize, other: Face) {
+    pub fn join(&self, place: usize, other: Face) {
         self.twins[place].store(other, Relaxed);
     }
 }
@@ -152,8 +153,7 @@ impl Tetrahedra {
     }
 
     /// Makes two faces the sides of one.
-    #[inline]
-    pub fn join(&self, face: Face, other: Face) {
+    fn join(&self, face: Face, other: Face) {
         self.at(face / 4).join((face % 4) as usize, other);
         self.at(other / 4).join((other % 4) as usize, face);
     }

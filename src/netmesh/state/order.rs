@@ -186,12 +186,13 @@ struct Cells<const D: usize> {
     low: [f64; D],
     /// Cells per unit of length, of halved coordinates: differences of those do not overflow.
     scale: f64,
-    /// A byte's bits D places apart.
-    spread: Vec<u64>,
 }
 
 impl<const D: usize> Cells<D> {
     const AXIS_BITS: usize = KEY_BITS / D;
+
+    /// A byte's bits D places apart.
+    const SPREAD: [u64; 256] = spread(D);
 
     /// Returns the cells of the box of the named inputs. `tick` is called for each.
     fn around<E: From<AllocError>>(
@@ -210,7 +211,7 @@ impl<const D: usize> Cells<D> {
         }
         let size = (0..D).fold(0.0f64, |size, axis| size.max(high[axis] - low[axis]));
         let scale = (1u64 << Self::AXIS_BITS) as f64 / size;
-        Ok(Self { low, scale, spread: spread::<D>()? })
+        Ok(Self { low, scale })
     }
 
     /// Returns the number of bits of a key.
@@ -227,7 +228,7 @@ impl<const D: usize> Cells<D> {
             let cell = cell.min((1 << Self::AXIS_BITS) - 1);
             let mut shift = axis;
             for byte in cell.to_le_bytes().into_iter().take(Self::AXIS_BITS.div_ceil(8)) {
-                key |= self.spread[byte as usize] << shift;
+                key |= Self::SPREAD[byte as usize] << shift;
                 shift += 8 * D;
             }
         }
@@ -235,9 +236,19 @@ impl<const D: usize> Cells<D> {
     }
 }
 
-fn spread<const D: usize>() -> AllocResult<Vec<u64>> {
-    let bit = |byte: usize, at: usize| ((byte >> at) as u64 & 1) << (at * D);
-    collected((0..256).map(|byte| (0..8).fold(0, |bits, at| bits | bit(byte, at))))
+/// Returns the bits of each byte, so many places apart.
+const fn spread(places: usize) -> [u64; 256] {
+    let mut table = [0; 256];
+    let mut byte = 0;
+    while byte < table.len() {
+        let mut bit = 0;
+        while bit < 8 {
+            table[byte] |= (byte as u64 >> bit & 1) << (bit * places);
+            bit += 1;
+        }
+        byte += 1;
+    }
+    table
 }
 
 #[cfg(test)]

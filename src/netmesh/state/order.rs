@@ -1,14 +1,15 @@
 //! Inputs in an order of locality: those near each other get ids near each other, so that a round,
 //! which takes its inputs by id, stays in one part of memory for a while. The order is that of a
 //! Z-order curve; where inputs share a cell of it, it goes on within their own box, so that
-//! clusters are ordered at every scale. The result depends on it by ids only: no sign is decided
-//! here.
+//! clusters are ordered at every scale. The caller's order does not count. The result depends on it
+//! by ids only: no sign is decided here.
 
 use crate::error::{Error, Result};
 use crate::memory::{AllocError, AllocResult, Id, TryGrow, collected, filled, with_capacity};
 use crate::mesh::Inputs;
 use crate::netmesh::state::watch::Watch;
 use crate::netmesh::state::workers::on_threads;
+use std::cmp::Ordering;
 use std::ops::Range;
 
 /// A distinct input, in the caller's order. As a vertex it has its place in the order of locality
@@ -108,7 +109,7 @@ fn sort_large_crowd<const D: usize>(
     }
     let starts = sort_into_buckets(&keyed, cells.bits() - BUCKET_BITS, own, tick)?;
     for bucket in starts.windows(2) {
-        if is_crowd(bucket[1] - bucket[0], &crowd) {
+        if (2..crowd.len()).contains(&(bucket[1] - bucket[0])) {
             found.try_push(crowd.start + bucket[0]..crowd.start + bucket[1])?;
         }
     }
@@ -132,7 +133,7 @@ fn sort_crowds<const D: usize>(
         for &input in own.iter() {
             keyed.try_push((cells.key(point(inputs, input)), input))?;
         }
-        keyed.sort_unstable();
+        keyed.sort_unstable_by(|a, b| a.0.cmp(&b.0).then_with(|| compare::<D>(inputs, a.1, b.1)));
         let mut at = crowd.start;
         for run in keyed.chunk_by(|a, b| a.0 == b.0) {
             if is_crowd(run.len(), crowd) {
@@ -175,6 +176,11 @@ fn sort_into_buckets(
         *at += 1;
     }
     Ok(starts)
+}
+
+/// Compares inputs by their coordinates, which do not depend on the caller's order.
+fn compare<const D: usize>(inputs: &Inputs, a: InputId, b: InputId) -> Ordering {
+    point::<D>(inputs, a).partial_cmp(point::<D>(inputs, b)).expect("coordinates are finite")
 }
 
 fn point<const D: usize>(inputs: &Inputs, input: InputId) -> &[f64; D] {
@@ -290,6 +296,23 @@ mod tests {
         let grid: Vec<[f64; 2]> = (0..16).map(|i| [f64::from(i % 4), f64::from(i / 4)]).collect();
         let expected = [0, 1, 4, 5, 2, 3, 6, 7, 8, 9, 12, 13, 10, 11, 14, 15];
         assert_eq!(order(&grid), expected.map(InputId::new));
+    }
+
+    /// Twins, triples and single points in cells of a large crowd and of small ones.
+    #[test]
+    fn the_order_of_inputs_does_not_count() {
+        for count in [9, 700, MANY + 5000] {
+            let mut points = scattered::<2>(count);
+            for at in (0..count - 3).step_by(3) {
+                points[at + 1] = points[at].map(|x| x + 1e-12);
+                points[at + 2] = [points[at][0], points[at][1] + 1e-12];
+            }
+            let reversed: Vec<_> = points.iter().rev().copied().collect();
+            let named = |points: &[[f64; 2]]| -> Vec<[f64; 2]> {
+                order(points).into_iter().map(|input| points[input.index()]).collect()
+            };
+            assert_eq!(named(&points), named(&reversed));
+        }
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Facets chosen one by one, so that they are a manifold with a boundary all the time.
 
 use super::balls::unit_vector;
-use crate::memory::{AllocResult, Lists, TryGrow};
+use crate::memory::{AllocResult, TryGrow, filled, reserve};
 use crate::mesh::NONE;
 use crate::query::dual::dot;
 use crate::query::unit::Unit;
@@ -10,13 +10,13 @@ use crate::query::view::View;
 /// Least cosine of the angle between two facets that is a fold: of a flat simplex both sides.
 const FOLD: f64 = 0.5;
 
-/// The facets chosen so far.
+/// The facets chosen so far. A facet is known by its place in `neighbors`, the first of its two.
 pub struct Chosen<'a, const D: usize> {
     pub view: View<'a, D>,
-    pub stars: &'a Lists,
-    pub unit: Unit,
-    /// Place of a facet in `neighbors`, the first of its two -> true if it is chosen.
-    pub is_chosen: Vec<bool>,
+    unit: Unit,
+    is_chosen: Vec<bool>,
+    /// Vertex -> the places of its chosen facets, ascending.
+    of_vertices: Vec<Vec<usize>>,
 }
 
 /// The other vertices of a facet of a vertex: two in space, one and [`NONE`] in the plane.
@@ -89,18 +89,48 @@ impl Link {
     }
 }
 
-impl<const D: usize> Chosen<'_, D> {
+impl<'a, const D: usize> Chosen<'a, D> {
+    /// Begins with no facets.
+    pub fn new(view: View<'a, D>, unit: Unit) -> AllocResult<Self> {
+        let is_chosen = filled(view.mesh.neighbors.len(), false)?;
+        let of_vertices = filled(view.mesh.vertex_count(), Vec::new())?;
+        Ok(Self { view, unit, is_chosen, of_vertices })
+    }
+
+    /// Returns true if a facet is chosen.
+    pub fn has(&self, at: usize) -> bool {
+        self.is_chosen[at]
+    }
+
+    /// Returns the places of the chosen facets, ascending.
+    pub fn places(&self) -> impl Iterator<Item = usize> {
+        (0..self.is_chosen.len()).filter(|&at| self.is_chosen[at])
+    }
+
+    /// Chooses a facet that is not chosen yet.
+    pub fn choose(&mut self, at: usize) -> AllocResult<()> {
+        self.is_chosen[at] = true;
+        for vertex in vertices_of(self.view, at) {
+            let own = &mut self.of_vertices[vertex as usize];
+            reserve(own, 1)?;
+            own.insert(own.partition_point(|&other| other < at), at);
+        }
+        Ok(())
+    }
+
+    /// Gives up a facet that is chosen.
+    pub fn give_up(&mut self, at: usize) {
+        self.is_chosen[at] = false;
+        for vertex in vertices_of(self.view, at) {
+            self.of_vertices[vertex as usize].retain(|&other| other != at);
+        }
+    }
+
     /// Reads the chosen facets of a vertex into its link.
     pub fn read_link(&self, vertex: u32, link: &mut Link) -> AllocResult<()> {
         link.facets.clear();
-        for &simplex in self.stars.of(vertex as usize) {
-            let vertices = self.view.simplex(simplex);
-            for (k, &neighbor) in self.view.neighbors(simplex).iter().enumerate() {
-                let at = simplex as usize * (D + 1) + k;
-                if simplex < neighbor && vertices[k] != vertex && self.is_chosen[at] {
-                    link.facets.try_push((rest(vertices_of(self.view, at), vertex), at))?;
-                }
-            }
+        for &at in &self.of_vertices[vertex as usize] {
+            link.facets.try_push((rest(vertices_of(self.view, at), vertex), at))?;
         }
         Ok(())
     }

@@ -165,7 +165,7 @@ fn through<const D: usize>(mesh: &Triangulation, kind: SurfaceKind) -> Result<Su
     let agreements = umbrellas.agreements()?;
     let mut surface = match kind {
         SurfaceKind::Open => {
-            let mut facets = open::facets(&balls, &stars, &depths, &umbrellas, &agreements)?;
+            let mut facets = open::facets(&balls, &depths, &umbrellas, &agreements)?;
             rename(&mut facets, &local.vertices);
             opened(View::<D> { mesh }, balls.unit, facets)?
         }

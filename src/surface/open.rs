@@ -6,7 +6,7 @@ use super::balls::{Balls, orthogonal, unit_vector};
 use super::chosen::{Chosen, Link, vertices_of};
 use super::pieces::LEAST_SUPPORT;
 use super::umbrellas::Umbrellas;
-use crate::memory::{AllocResult, Lists, Sets, TryGrow, collected, enqueue, filled};
+use crate::memory::{AllocResult, Sets, TryGrow, collected, enqueue, filled};
 use crate::mesh::NONE;
 use crate::numerics::norm;
 use crate::query::unit::Unit;
@@ -37,19 +37,18 @@ struct Sizes<'a, const D: usize> {
 /// deeply the balls beside it intersect. O(simplices) for surfaces that are sampled well.
 pub fn facets<const D: usize>(
     balls: &Balls<'_, D>,
-    stars: &Lists,
     depths: &[f64],
     umbrellas: &Umbrellas<'_, D>,
     agreements: &[f64],
 ) -> AllocResult<Vec<u32>> {
     let (view, unit) = (balls.view, balls.unit);
     let sizes = Sizes::new(view, unit, umbrellas)?;
-    let mut chosen = Chosen { view, stars, unit, is_chosen: filled(depths.len(), false)? };
+    let mut chosen = Chosen::new(view, unit)?;
     let largest = if D == 2 { GAP } else { BRIDGE };
     let mut doubtful = Vec::new();
     for at in (0..depths.len()).filter(|&at| umbrellas.votes(at) > 0) {
         match umbrellas.votes(at) == D as u32 && sizes.of(at) <= largest {
-            true => chosen.is_chosen[at] = true,
+            true => chosen.choose(at)?,
             false => doubtful.try_push(at)?,
         }
     }
@@ -127,7 +126,7 @@ fn fill<const D: usize>(
         let mut waiting = Vec::new();
         for &at in &*facets {
             match chosen.fits(at, &mut link)? {
-                Some(ridges) if may(at, ridges) => chosen.is_chosen[at] = true,
+                Some(ridges) if may(at, ridges) => chosen.choose(at)?,
                 _ => waiting.try_push(at)?,
             }
         }
@@ -152,7 +151,7 @@ fn missing<const D: usize>(chosen: &Chosen<'_, D>) -> AllocResult<Vec<usize>> {
     for (at, &neighbor) in view.mesh.neighbors.iter().enumerate() {
         let is_first = ((at / (D + 1)) as u32) < neighbor;
         let ends = || vertices_of(view, at).iter().all(|&vertex| is_end[vertex as usize]);
-        if is_first && !chosen.is_chosen[at] && ends() {
+        if is_first && !chosen.has(at) && ends() {
             missing.try_push(at)?;
         }
     }
@@ -171,7 +170,7 @@ fn prune<const D: usize>(chosen: &mut Chosen<'_, D>) -> AllocResult<()> {
         // Of fans of one size the first.
         let Some(largest) = (0..count).rev().max_by_key(|&fan| size(fan)) else { continue };
         for (&(rest, at), _) in link.facets.iter().zip(&fans).filter(|(_, fan)| **fan != largest) {
-            chosen.is_chosen[at] = false;
+            chosen.give_up(at);
             let others = rest.into_iter().filter(|&other| other != NONE);
             others.into_iter().try_for_each(|other| enqueue(&mut waiting, other))?;
         }
@@ -185,8 +184,7 @@ fn supported<const D: usize>(chosen: &Chosen<'_, D>, agreements: &[f64]) -> Allo
     let count = agreements.len();
     let mut parts = Sets::new(count)?;
     let mut is_used = filled(count, false)?;
-    let places = || (0..chosen.is_chosen.len()).filter(|&at| chosen.is_chosen[at]);
-    for at in places() {
+    for at in chosen.places() {
         let vertices = vertices_of(chosen.view, at);
         for vertex in vertices {
             parts.join(vertices[0] as usize, vertex as usize);
@@ -200,7 +198,7 @@ fn supported<const D: usize>(chosen: &Chosen<'_, D>, agreements: &[f64]) -> Allo
         support[part] += agreements[vertex];
     }
     let mut facets = Vec::new();
-    for at in places() {
+    for at in chosen.places() {
         let facet = vertices_of(chosen.view, at);
         let part = parts.find(facet[0] as usize);
         if support[part] >= LEAST_SUPPORT * f64::from(vertices[part]) {

@@ -382,3 +382,47 @@ fn corner_restriction(parameters: &Parameters) -> f64 {
     const LARGEST: f64 = 0.85;
     LARGEST.min(1.0 - 0.5 * parameters.delta * parameters.delta)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::Domain;
+    use crate::options::Options;
+    use crate::quality::tests::meshed;
+
+    /// Holds that squares tell what lengths do, at distances that roundings cannot tell from the
+    /// limit too, at any scale.
+    #[test]
+    fn corners_count_by_squares_as_by_lengths() {
+        let mut mesh = meshed(3, 20, &Options::default());
+        let tree = DomainTree::new(&mesh.domains).unwrap().unwrap();
+        let mut answers = [0; 2];
+        for scale in [1e-170, 1e-30, 1.0, 1e140] {
+            let points = [[0.0; 3], [1.0, 0.1, 0.0], [0.2, 1.0, 0.0], [0.3, 0.1, 1.0]];
+            let points = points.map(|point| point.map(|x| x * scale));
+            let points: Vec<&[f64; 3]> = points.iter().collect();
+            let corner = Corner::new(&points).unwrap().unwrap();
+            let center = [5.0, 4.0, 3.0].map(|x| x * scale);
+            mesh.points[..3].copy_from_slice(&center);
+            let distance = corner.distance(&points, &center);
+            for steps in -40..=40 {
+                let factor = 1.0 + f64::from(steps) * f64::EPSILON;
+                let limit = distance.times(factor);
+                mesh.domains = vec![Domain { center: 0, parent: NONE, radius: 1.0 }];
+                let reaches = [Reach::new(center, limit)];
+                let view = View::<3> { mesh: &mesh };
+                let ground = Ground { view, tree: Some(&tree), reaches: &reaches, most_climbs: 0 };
+                let star = Labelled {
+                    ground: &ground,
+                    vertices: &[0, 1, 2, 3],
+                    labels: &[0; 4],
+                    points: &points,
+                    corner: Some(&corner),
+                };
+                assert_eq!(star.counts_in(0), distance < limit, "{scale} {steps}");
+                answers[usize::from(distance < limit)] += 1;
+            }
+        }
+        assert!(answers.iter().all(|&count| count > 100), "{answers:?}");
+    }
+}

@@ -91,6 +91,24 @@ mod tests {
         }
     }
 
+    /// Holds it for a cropped domain, at whose boundary parts of a star may touch in a vertex alone:
+    /// two triangles in the plane, two tetrahedra in space, whose common vertex has the most.
+    #[test]
+    fn degrees_where_parts_of_a_star_touch_are_counted() {
+        let mut mesh = meshed(2, 5, &Options::default());
+        let (from, to) = (mesh.simplices[..3].to_vec(), mesh.vertex_count() as u32);
+        assert!(to > 6);
+        mesh.simplices = vec![from[0], from[1], from[2]];
+        let others: Vec<u32> = (0..to).filter(|v| !from.contains(v)).take(2).collect();
+        mesh.simplices.extend([from[0], others[0], others[1]]);
+        mesh.neighbors = vec![NONE; 6];
+        degrees_are_counted::<2>(&mesh);
+        let mut mesh = meshed(3, 5, &Options::default());
+        mesh.simplices = vec![0, 1, 2, 3, 0, 4, 5, 6];
+        mesh.neighbors = vec![NONE; 8];
+        degrees_are_counted::<3>(&mesh);
+    }
+
     fn degrees_are_counted<const D: usize>(mesh: &Triangulation) {
         let view = View::<D> { mesh };
         let (cells, facets) = (Cells::of(view, None).unwrap(), view.hull_facets().unwrap());

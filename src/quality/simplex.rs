@@ -297,4 +297,53 @@ mod tests {
             assert!((ratio - 2.5f64.sqrt()).abs() < 1e-14, "{ratio}");
         }
     }
+
+    /// Holds that a screen lets every simplex pass whose smallest angle is below its limit, and holds
+    /// back all whose angles are larger by more than a little.
+    fn screens_hold_back_larger_angles<const D: usize>() {
+        let mut random = crate::numerics::SplitMix(D as u64 + 9);
+        let [mut passed, mut held_back] = [0; 2];
+        for trial in 0..20_000 {
+            let height = 0.5f64.powi(trial % 16);
+            let points: [[f64; D]; MAX_DIM + 1] = std::array::from_fn(|_| {
+                let mut point: [f64; D] = std::array::from_fn(|_| random.unit());
+                point[D - 1] *= height;
+                point
+            });
+            let points: Vec<&[f64; D]> = points[..D + 1].iter().collect();
+            let simplex = Simplex::new(&points);
+            let tangent = simplex.smallest_squared_tangent().unwrap();
+            for factor in [0.01, 0.999, 1.0 - 1e-12, 1.0, 1.0 + 1e-15, 1.001, 100.0] {
+                let passes = simplex.may_pass(Screen::of(tangent * factor));
+                assert!(passes || tangent * factor <= tangent, "{points:?} at {factor}");
+                passed += u32::from(passes);
+                // Where angles are large enough for their cosines to tell.
+                if factor < 0.9995 && tangent > 1e-4 && simplex.solution.is_some() {
+                    assert!(!passes || tangent * factor >= 1.0, "{points:?} at {factor}");
+                    held_back += 1;
+                }
+            }
+            assert!(simplex.may_pass(Screen::OPEN) && !simplex.may_pass(Screen::CLOSED));
+            assert!(simplex.may_pass(Screen::CLOSED.or(Screen::OPEN)));
+        }
+        assert!(passed > 50_000 && held_back > 10_000, "{passed} {held_back}");
+    }
+
+    #[test]
+    fn screens_hold_back_larger_angles_and_none_that_are_smaller() {
+        screens_hold_back_larger_angles::<2>();
+        screens_hold_back_larger_angles::<3>();
+    }
+
+    #[test]
+    fn simplices_whose_normals_may_overflow_pass_every_screen_but_the_closed_one() {
+        for scale in [1e-44, 1e44] {
+            let points = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+            let points = points.map(|point| point.map(|x| x * scale));
+            let points: Vec<&[f64; 3]> = points.iter().collect();
+            let simplex = Simplex::new(&points);
+            assert!(simplex.solution.is_some());
+            assert!(simplex.may_pass(Screen::of(1e-8)) && !simplex.may_pass(Screen::CLOSED));
+        }
+    }
 }

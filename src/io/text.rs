@@ -463,6 +463,30 @@ mod tests {
     }
 
     #[test]
+    fn bytes_that_are_no_text_are_counted_from_the_begin_of_their_line() {
+        for (text, line, byte, why) in [
+            (&b"a\0\r\xff\n"[..], 1, 2, "a NUL byte; this is not a text file"),
+            (b"\xef\xbb\xbfa\0", 1, 2, "a NUL byte; this is not a text file"),
+            (b" \n\xff\r\r\n", 2, 2, "a carriage return inside the line"),
+            (b"# \xff\n", 1, 3, "the line is not valid UTF-8"),
+            (b"\xef\xbb\xbf12\xe9\n", 1, 3, "the line is not valid UTF-8"),
+            (b"\xc3\xa9\n\xef\xbb\xbf\xe9\r\n", 2, 4, "the line is not valid UTF-8"),
+        ] {
+            let refused = lines_of(text).unwrap_err();
+            let expected = format!("line {line}, byte {byte}: {why}");
+            assert!(refused.message().starts_with(&expected), "{refused}: {expected}");
+        }
+    }
+
+    #[test]
+    fn what_a_line_says_is_between_its_blanks_and_before_its_comment() {
+        let text = "\u{feff} \t\u{e9} b \t# \u{e9}\r\n  \r\n #\n\u{feff}c#d\n e";
+        let expected = [(1, "\u{e9} b"), (4, "\u{feff}c"), (5, "e")];
+        let expected = expected.map(|(number, text)| (number, text.to_string()));
+        assert_eq!(lines_of(text.as_bytes()).unwrap(), expected);
+    }
+
+    #[test]
     fn bounds_the_length_of_a_line() {
         let mut text = vec![b' '; MAX_LINE - 1];
         text.extend_from_slice(b"\n1");

@@ -301,12 +301,21 @@ mod tests {
         assert!(pieces(mesh.simplex_count()).len() > 2);
         let mut on_threads = |threads| {
             mesh.parameters.threads = threads;
-            measure(&mesh).unwrap()
+            // Aspects may be NaN, which is not the same as itself.
+            let Measures { quality, radius_edge, aspect } = Measures::of(&mesh).unwrap();
+            (quality, radius_edge, aspect.iter().map(|aspect| aspect.to_bits()).collect())
         };
-        let one = on_threads(1);
-        assert!(one.worst_cage_aspect >= 0.0 && one.min_angle_degrees > 0.0);
+        let one: (Quality, Vec<f64>, Vec<u64>) = on_threads(1);
+        assert!(one.0.worst_cage_aspect >= 0.0 && one.0.min_angle_degrees > 0.0);
         for threads in [2, 3, 8, 0] {
             assert_eq!(on_threads(threads), one);
+        }
+        assert_eq!(measure(&mesh).unwrap(), one.0);
+        let view = View::<3> { mesh: &mesh };
+        for (simplex, ratio) in one.1.iter().enumerate() {
+            let points = view.points_of(view.simplex(simplex));
+            let corner = corner::Corner::new(&points[..4]).unwrap().unwrap();
+            assert_eq!(*ratio, corner.radius.ratio(corner.shortest_edge), "{simplex}");
         }
     }
 

@@ -135,16 +135,10 @@ impl<'a> Lines<'a> {
         let mut line = &bytes[start..];
         line = line.strip_suffix(b"\n").unwrap_or(line);
         line = line.strip_suffix(b"\r").unwrap_or(line);
-        // Most lines have neither, which is known soonest if nobody asks where.
-        if line.iter().fold(false, |found, byte| found | matches!(byte, 0 | b'\r')) {
-            self.refuse_byte(line, 0, NUL)?;
-            // As a blank it would join two lines of an old text file into one point.
-            self.refuse_byte(
-                line,
-                b'\r',
-                "a carriage return inside the line; lines end with LF or CR LF",
-            )?;
-        }
+        self.refuse_byte(line, 0, NUL)?;
+        // As a blank it would join two lines of an old text file into one point.
+        let why = "a carriage return inside the line; lines end with LF or CR LF";
+        self.refuse_byte(line, b'\r', why)?;
         let end = start + line.len();
         self.line = String::from_utf8(bytes).map_err(|error| {
             let index = error.utf8_error().valid_up_to() - start;
@@ -156,10 +150,12 @@ impl<'a> Lines<'a> {
     }
 
     fn refuse_byte(&self, line: &[u8], byte: u8, why: &str) -> Result<()> {
-        match line.iter().position(|b| *b == byte) {
-            Some(index) => Err(self.refused_byte(index, why)),
-            None => Ok(()),
+        // To ask whether it is there takes a fraction of the time that it takes to ask where.
+        if !line.contains(&byte) {
+            return Ok(());
         }
+        let index = line.iter().position(|b| *b == byte).unwrap_or_default();
+        Err(self.refused_byte(index, why))
     }
 
     /// Returns the error of a byte of the line, counted from 0 here and from 1 in the message.

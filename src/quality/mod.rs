@@ -208,8 +208,8 @@ fn add_aspects(
         let anywhere = cells.cage_aspect_anywhere(i, domain.radius);
         quality.worst_aspect_anywhere = quality.worst_aspect_anywhere.max(anywhere);
     }
-    for v in 0..on_hull.len() {
-        if on_hull[v] || mesh.cage_of[v] != NONE {
+    for (v, &on_hull) in on_hull.iter().enumerate() {
+        if on_hull || mesh.cage_of[v] != NONE {
             visit(f64::NAN);
             continue;
         }

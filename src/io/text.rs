@@ -19,7 +19,7 @@ pub(super) struct Lines<'a> {
     input: &'a mut dyn BufRead,
     /// The line that was read last, as it is in the file.
     line: String,
-    /// Where in it the line begins and ends without its comment and blanks.
+    /// Part of it without its comment and blanks.
     content: Range<usize>,
     number: u64,
     /// A `#` between quotes begins no comment.

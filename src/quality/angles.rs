@@ -14,9 +14,9 @@ pub(super) struct Screen {
 
 impl Screen {
     /// Lets every simplex pass.
-    pub const OPEN: Self = Self { squared_cosine: -1.0 };
+    pub(super) const OPEN: Self = Self { squared_cosine: -1.0 };
     /// Lets none pass.
-    pub const CLOSED: Self = Self { squared_cosine: f64::INFINITY };
+    pub(super) const CLOSED: Self = Self { squared_cosine: f64::INFINITY };
 
     /// Makes a screen for angles whose half has a tangent with a smaller square.
     ///
@@ -31,8 +31,8 @@ impl Screen {
 
     const MARGIN: f64 = 1e-9;
 
-    /// Returns a screen that lets pass what either of two does.
-    pub fn or(self, other: Self) -> Self {
+    /// Returns the wider of two screens, which lets pass what either does.
+    pub fn wider(self, other: Self) -> Self {
         Self { squared_cosine: self.squared_cosine.min(other.squared_cosine) }
     }
 

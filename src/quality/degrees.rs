@@ -91,8 +91,8 @@ mod tests {
         }
     }
 
-    /// Holds it for a cropped domain, at whose boundary parts of a star may touch in a vertex alone:
-    /// two triangles in the plane, two tetrahedra in space, whose common vertex has the most.
+    /// Holds it for a cropped domain, at whose boundary parts of a star may touch in a vertex
+    /// alone: two triangles in the plane, two tetrahedra in space.
     #[test]
     fn degrees_where_parts_of_a_star_touch_are_counted() {
         let mut mesh = meshed(2, 5, &Options::default());

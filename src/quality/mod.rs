@@ -140,7 +140,7 @@ struct Piece<'a> {
     figures: SimplexMeasures,
     /// The first of its simplices.
     first: usize,
-    /// Where the ratios of its simplices go; empty if nobody wants them.
+    /// Place for the ratios of its simplices; empty if nobody wants them.
     radius_edge: &'a mut [f64],
 }
 
@@ -271,7 +271,7 @@ fn is_consistent(mesh: &Triangulation) -> bool {
         && mesh.domains.iter().all(|domain| (domain.center as usize) < vertices)
 }
 
-/// Returns true if all ids are below `end` when `added` is added to them, beyond 32 bits round to 0.
+/// Returns true if all ids are below `end` when `added` is added to them (32 bits, round to 0).
 /// Asks for the largest of many at a time, since a comparison of each takes several times as long.
 fn are_below(ids: &[u32], end: usize, added: u32) -> bool {
     let largest = |ids: &[u32]| ids.iter().fold(0, |most, id| id.wrapping_add(added).max(most));

@@ -298,8 +298,8 @@ mod tests {
         }
     }
 
-    /// Holds that a screen lets every simplex pass whose smallest angle is below its limit, and holds
-    /// back all whose angles are larger by more than a little.
+    /// Holds that a screen lets every simplex pass whose smallest angle is below its limit, and
+    /// holds back all whose angles are larger by more than a little.
     fn screens_hold_back_larger_angles<const D: usize>() {
         let mut random = crate::numerics::SplitMix(D as u64 + 9);
         let [mut passed, mut held_back] = [0; 2];
@@ -324,7 +324,7 @@ mod tests {
                 }
             }
             assert!(simplex.may_pass(Screen::OPEN) && !simplex.may_pass(Screen::CLOSED));
-            assert!(simplex.may_pass(Screen::CLOSED.or(Screen::OPEN)));
+            assert!(simplex.may_pass(Screen::CLOSED.wider(Screen::OPEN)));
         }
         assert!(passed > 50_000 && held_back > 10_000, "{passed} {held_back}");
     }

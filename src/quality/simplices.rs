@@ -111,9 +111,9 @@ impl SimplexMeasures {
         let counts = !is_forced && !view.simplex(cell.simplex).iter().any(is_at_cage);
         let mut screen = *asked;
         if is_forced {
-            screen = screen.or(self.forced_angle.screen);
+            screen = screen.wider(self.forced_angle.screen);
         } else if counts {
-            screen = screen.or(self.angle.screen);
+            screen = screen.wider(self.angle.screen);
         }
         if cell.shape.may_pass(screen) {
             self.add_angle(cell, counts, is_forced, view.mesh)?;

@@ -155,8 +155,8 @@ where
     let mut watch = Watch::new(progress);
     // Also the shortest run can be watched and cancelled.
     watch.report()?;
-    if D == 2 && parameters.algorithm == Algorithm::Delaunay {
-        return plain_in_plane::<D>(inputs, parameters, watch);
+    if plain::is_for(D) && parameters.algorithm == Algorithm::Delaunay {
+        return plain_and_measured::<D>(inputs, parameters, watch);
     }
     let by_region = arrangement.as_deref().is_some_and(Arrangement::has_sizes);
     let sizes = Sizes::new(inputs, &parameters, size, by_region);
@@ -171,9 +171,9 @@ where
     mesher.into_triangulation(begun)
 }
 
-/// Makes the plain Delaunay triangulation of the plane. Instruments, if there are any, look at
+/// Makes the plain Delaunay triangulation of the plane or of space. Instruments, if there are any, look at
 /// D-balls, which only a [`Mesher`] has.
-fn plain_in_plane<const D: usize>(
+fn plain_and_measured<const D: usize>(
     inputs: &Inputs,
     parameters: Parameters,
     mut watch: Watch<'_, '_>,

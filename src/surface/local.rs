@@ -94,7 +94,11 @@ fn order<const D: usize>(view: View<'_, D>) -> AllocResult<Vec<u32>> {
         let cells: [u64; D] = std::array::from_fn(|axis| cell(point[axis], low[axis]));
         keys.push((interleaved(&cells), vertex));
     }
-    keys.sort_unstable();
+    // Of those in one cell, by their coordinates: the caller's order does not count.
+    let compare = |a: u32, b: u32| {
+        view.point(a).partial_cmp(view.point(b)).expect("coordinates are finite")
+    };
+    keys.sort_unstable_by(|a, b| a.0.cmp(&b.0).then_with(|| compare(a.1, b.1)));
     collected(keys.into_iter().map(|(_, vertex)| vertex))
 }
 

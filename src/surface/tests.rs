@@ -183,6 +183,49 @@ fn any_points_give_a_manifold() {
     }
 }
 
+/// Not even with a far outlier, beside which all points share a few cells, and lattices, in which
+/// many points are on one sphere.
+#[test]
+fn the_order_of_points_does_not_count() {
+    let mut random = SplitMix(12);
+    let mut noisy = sphere(600, 1.0);
+    noisy.iter_mut().for_each(|x| *x += 0.15 * (random.unit() - 0.5));
+    let lattice = (0..343).map(|i| [i % 7, i / 7 % 7, i / 49]);
+    let is_on_face = |p: &[i32; 3]| p.iter().any(|&x| x == 0 || x == 6);
+    let faces = lattice.filter(is_on_face).flat_map(|p| p.map(f64::from)).collect();
+    let outlier = [noisy.clone(), vec![1e7, 5e5, 9e6]].concat();
+    for (points, kind) in [
+        (noisy, SurfaceKind::Closed),
+        (outlier, SurfaceKind::Open),
+        (faces, SurfaceKind::Closed),
+    ] {
+        let facets = |points: &[f64]| {
+            let (_, surface) = surface_of(3, points, kind);
+            let at = |vertex: &u32| [0, 1, 2].map(|axis| points[3 * *vertex as usize + axis]);
+            let mut facets: Vec<[[f64; 3]; 3]> = (surface.facets.chunks_exact(3))
+                .map(|facet| {
+                    let mut corners = [at(&facet[0]), at(&facet[1]), at(&facet[2])];
+                    // Shells with one side have no direction.
+                    corners.sort_by(|a, b| a.partial_cmp(b).unwrap());
+                    corners
+                })
+                .collect();
+            facets.sort_by(|a, b| a.partial_cmp(b).unwrap());
+            facets
+        };
+        let expected = facets(&points);
+        for _ in 0..4 {
+            let mut order: Vec<usize> = (0..points.len() / 3).collect();
+            for at in (1..order.len()).rev() {
+                order.swap(at, random.next_word() as usize % (at + 1));
+            }
+            let permuted: Vec<f64> =
+                order.iter().flat_map(|&at| points[3 * at..][..3].to_vec()).collect();
+            assert!(facets(&permuted) == expected);
+        }
+    }
+}
+
 #[test]
 fn other_dimensions_are_refused() {
     let points: Vec<f64> = (0..24).map(|i| f64::from(i * i % 17)).collect();

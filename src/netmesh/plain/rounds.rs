@@ -8,9 +8,9 @@ use crate::numerics::mixed;
 /// Rounds of one input for each of `2^MOST` are as good as none.
 const MOST: u32 = 24;
 
-/// Returns the inputs of each round but those of the first triangle. An input is in the last round
+/// Returns the inputs of each round but those of the first simplex. An input is in the last round
 /// with probability 1/2, in the one before with 1/4, and so on.
-pub(super) fn rounds(count: usize, seed: u64, first: &[u32; 3]) -> Result<Vec<Vec<u32>>> {
+pub(super) fn rounds(count: usize, seed: u64, first: &[u32]) -> Result<Vec<Vec<u32>>> {
     let levels = count.max(2).ilog2().min(MOST);
     let level = |input: u32| mixed(seed ^ u64::from(input)).trailing_zeros().min(levels);
     let others = || (0..count as u32).filter(|input| !first.contains(input));

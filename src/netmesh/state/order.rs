@@ -1,14 +1,15 @@
 //! Inputs in an order of locality: those near each other get ids near each other, so that a round,
 //! which takes its inputs by id, stays in one part of memory for a while. The order is that of a
 //! Z-order curve; where inputs share a cell of it, it goes on within their own box, so that
-//! clusters are ordered at every scale. The result depends on it by ids only: no sign is decided
-//! here.
+//! clusters are ordered at every scale. The caller's order does not count. The result depends on it
+//! by ids only: no sign is decided here.
 
 use crate::error::{Error, Result};
 use crate::memory::{AllocError, AllocResult, Id, TryGrow, collected, filled, with_capacity};
 use crate::mesh::Inputs;
 use crate::netmesh::state::watch::Watch;
 use crate::netmesh::state::workers::on_threads;
+use std::cmp::Ordering;
 use std::ops::Range;
 
 /// A distinct input, in the caller's order. As a vertex it has its place in the order of locality
@@ -108,7 +109,7 @@ fn sort_large_crowd<const D: usize>(
     }
     let starts = sort_into_buckets(&keyed, cells.bits() - BUCKET_BITS, own, tick)?;
     for bucket in starts.windows(2) {
-        if is_crowd(bucket[1] - bucket[0], &crowd) {
+        if (2..crowd.len()).contains(&(bucket[1] - bucket[0])) {
             found.try_push(crowd.start + bucket[0]..crowd.start + bucket[1])?;
         }
     }
@@ -132,7 +133,7 @@ fn sort_crowds<const D: usize>(
         for &input in own.iter() {
             keyed.try_push((cells.key(point(inputs, input)), input))?;
         }
-        keyed.sort_unstable();
+        keyed.sort_unstable_by(|a, b| a.0.cmp(&b.0).then_with(|| compare::<D>(inputs, a.1, b.1)));
         let mut at = crowd.start;
         for run in keyed.chunk_by(|a, b| a.0 == b.0) {
             if is_crowd(run.len(), crowd) {
@@ -177,6 +178,11 @@ fn sort_into_buckets(
     Ok(starts)
 }
 
+/// Compares inputs by their coordinates, which do not depend on the caller's order.
+fn compare<const D: usize>(inputs: &Inputs, a: InputId, b: InputId) -> Ordering {
+    point::<D>(inputs, a).partial_cmp(point::<D>(inputs, b)).expect("coordinates are finite")
+}
+
 fn point<const D: usize>(inputs: &Inputs, input: InputId) -> &[f64; D] {
     inputs.distinct_point(input.index()).try_into().expect("dim is D")
 }
@@ -186,12 +192,13 @@ struct Cells<const D: usize> {
     low: [f64; D],
     /// Cells per unit of length, of halved coordinates: differences of those do not overflow.
     scale: f64,
-    /// A byte's bits D places apart.
-    spread: Vec<u64>,
 }
 
 impl<const D: usize> Cells<D> {
     const AXIS_BITS: usize = KEY_BITS / D;
+
+    /// A byte's bits D places apart.
+    const SPREAD: [u64; 256] = spread(D);
 
     /// Returns the cells of the box of the named inputs. `tick` is called for each.
     fn around<E: From<AllocError>>(
@@ -210,7 +217,7 @@ impl<const D: usize> Cells<D> {
         }
         let size = (0..D).fold(0.0f64, |size, axis| size.max(high[axis] - low[axis]));
         let scale = (1u64 << Self::AXIS_BITS) as f64 / size;
-        Ok(Self { low, scale, spread: spread::<D>()? })
+        Ok(Self { low, scale })
     }
 
     /// Returns the number of bits of a key.
@@ -227,7 +234,7 @@ impl<const D: usize> Cells<D> {
             let cell = cell.min((1 << Self::AXIS_BITS) - 1);
             let mut shift = axis;
             for byte in cell.to_le_bytes().into_iter().take(Self::AXIS_BITS.div_ceil(8)) {
-                key |= self.spread[byte as usize] << shift;
+                key |= Self::SPREAD[byte as usize] << shift;
                 shift += 8 * D;
             }
         }
@@ -235,9 +242,19 @@ impl<const D: usize> Cells<D> {
     }
 }
 
-fn spread<const D: usize>() -> AllocResult<Vec<u64>> {
-    let bit = |byte: usize, at: usize| ((byte >> at) as u64 & 1) << (at * D);
-    collected((0..256).map(|byte| (0..8).fold(0, |bits, at| bits | bit(byte, at))))
+/// Returns the bits of each byte, so many places apart.
+const fn spread(places: usize) -> [u64; 256] {
+    let mut table = [0; 256];
+    let mut byte = 0;
+    while byte < table.len() {
+        let mut bit = 0;
+        while bit < 8 {
+            table[byte] |= (byte as u64 >> bit & 1) << (bit * places);
+            bit += 1;
+        }
+        byte += 1;
+    }
+    table
 }
 
 #[cfg(test)]
@@ -279,6 +296,23 @@ mod tests {
         let grid: Vec<[f64; 2]> = (0..16).map(|i| [f64::from(i % 4), f64::from(i / 4)]).collect();
         let expected = [0, 1, 4, 5, 2, 3, 6, 7, 8, 9, 12, 13, 10, 11, 14, 15];
         assert_eq!(order(&grid), expected.map(InputId::new));
+    }
+
+    /// Twins, triples and single points in cells of a large crowd and of small ones.
+    #[test]
+    fn the_order_of_inputs_does_not_count() {
+        for count in [9, 700, MANY + 5000] {
+            let mut points = scattered::<2>(count);
+            for at in (0..count - 3).step_by(3) {
+                points[at + 1] = points[at].map(|x| x + 1e-12);
+                points[at + 2] = [points[at][0], points[at][1] + 1e-12];
+            }
+            let reversed: Vec<_> = points.iter().rev().copied().collect();
+            let named = |points: &[[f64; 2]]| -> Vec<[f64; 2]> {
+                order(points).into_iter().map(|input| points[input.index()]).collect()
+            };
+            assert_eq!(named(&points), named(&reversed));
+        }
     }
 
     #[test]

@@ -61,6 +61,30 @@ impl F64x2 {
         Self(lanes::new(first, second))
     }
 
+    /// Returns the second and the first.
+    #[inline(always)]
+    pub fn swapped(self) -> Self {
+        Self(lanes::second_and_first(self.0, self.0))
+    }
+
+    /// Returns the firsts of two pairs.
+    #[inline(always)]
+    pub fn firsts(self, other: Self) -> Self {
+        Self(lanes::firsts(self.0, other.0))
+    }
+
+    /// Returns the seconds of two pairs.
+    #[inline(always)]
+    pub fn seconds(self, other: Self) -> Self {
+        Self(lanes::seconds(self.0, other.0))
+    }
+
+    /// Returns the first of this pair and the second of another one.
+    #[inline(always)]
+    pub fn first_and_second(self, other: Self) -> Self {
+        Self(lanes::first_and_second(self.0, other.0))
+    }
+
     #[inline(always)]
     pub fn get(self) -> [f64; 2] {
         lanes::get(self.0)
@@ -124,11 +148,11 @@ mod lanes {
     pub use std::arch::x86_64::__m128d as Lanes;
 
     macro_rules! intrinsic {
-        ($name:ident, ($($lanes:ident),+), $intrinsic:ident) => {
+        ($name:ident, ($($lanes:ident),+), $($intrinsic:tt)+) => {
             #[inline(always)]
             pub fn $name($($lanes: Lanes),+) -> Lanes {
                 // SAFETY: every x86_64 has SSE2, which is all that is asked for.
-                unsafe { arch::$intrinsic($($lanes),+) }
+                unsafe { arch::$($intrinsic)+($($lanes),+) }
             }
         };
     }
@@ -140,6 +164,10 @@ mod lanes {
     intrinsic!(min, (a, b), _mm_min_pd);
     intrinsic!(max, (a, b), _mm_max_pd);
     intrinsic!(sqrt, (a), _mm_sqrt_pd);
+    intrinsic!(firsts, (a, b), _mm_unpacklo_pd);
+    intrinsic!(seconds, (a, b), _mm_unpackhi_pd);
+    intrinsic!(first_and_second, (a, b), _mm_shuffle_pd::<2>);
+    intrinsic!(second_and_first, (a, b), _mm_shuffle_pd::<1>);
 
     #[inline(always)]
     pub fn new(first: f64, second: f64) -> Lanes {
@@ -180,6 +208,26 @@ mod lanes {
     #[inline(always)]
     pub fn get(lanes: Lanes) -> [f64; 2] {
         lanes
+    }
+
+    #[inline(always)]
+    pub fn firsts(a: Lanes, b: Lanes) -> Lanes {
+        [a[0], b[0]]
+    }
+
+    #[inline(always)]
+    pub fn seconds(a: Lanes, b: Lanes) -> Lanes {
+        [a[1], b[1]]
+    }
+
+    #[inline(always)]
+    pub fn first_and_second(a: Lanes, b: Lanes) -> Lanes {
+        [a[0], b[1]]
+    }
+
+    #[inline(always)]
+    pub fn second_and_first(a: Lanes, b: Lanes) -> Lanes {
+        [a[1], b[0]]
     }
 
     #[inline(always)]
@@ -260,6 +308,15 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn pairs_are_taken_apart() {
+        let (a, b) = (F64x2::new(1.0, 2.0), F64x2::new(3.0, 4.0));
+        assert_eq!(a.swapped().get(), [2.0, 1.0]);
+        assert_eq!(a.firsts(b).get(), [1.0, 3.0]);
+        assert_eq!(a.seconds(b).get(), [2.0, 4.0]);
+        assert_eq!(a.first_and_second(b).get(), [1.0, 4.0]);
     }
 
     #[test]

@@ -1,0 +1,166 @@
+//! Rounds of insertions, on one thread or on several.
+
+use super::insertion::{Inserter, Outcome};
+use super::region::{Part, parts};
+use super::tetrahedra::Tetrahedra;
+use crate::error::Result;
+use crate::memory::{TryGrow, with_capacity};
+use crate::mesh::Stats;
+use crate::netmesh::state::watch::Watch;
+use crate::netmesh::state::workers::{Tick, on_threads_with_ticks};
+use crate::options::Phase;
+
+/// Least number of points that threads share: what they leave to each other grows less than they.
+const FEW: usize = 1 << 12;
+
+/// Places that are set aside for each point of a part.
+const PLACES: usize = 8;
+
+/// Points of a part that are tried as the first one; the others are as near to its faces.
+const TRIES: usize = 64;
+
+/// Units of work of the watch that an insertion is.
+const WORK: u32 = 30;
+
+/// A triangulation in the making.
+pub(super) struct Passes<'a> {
+    points: &'a [[f64; 3]],
+    threads: usize,
+    pub tetrahedra: Tetrahedra,
+    /// The one that inserts in all of space.
+    inserter: Inserter<'a>,
+    inserted: usize,
+    passes: u64,
+}
+
+/// What a thread leaves behind.
+struct Left<'a> {
+    inserter: Inserter<'a>,
+    /// Points that are not in.
+    pending: Vec<u32>,
+}
+
+impl<'a> Passes<'a> {
+    /// Begins with a tetrahedron of positive orientation.
+    pub fn new(points: &'a [[f64; 3]], first: [u32; 4], threads: usize) -> Result<Self> {
+        let inserter = Inserter::new(points, 0);
+        let tetrahedra = Tetrahedra::new(first, points.len())?;
+        Ok(Self { points, threads, tetrahedra, inserter, inserted: 4, passes: 0 })
+    }
+
+    /// Inserts points, which are in the order of locality.
+    pub fn insert(&mut self, round: Vec<u32>, watch: &mut Watch<'_, '_>) -> Result<()> {
+        let mut pending = round;
+        for axis in 0..3 {
+            let before = pending.len();
+            if self.threads == 1 || before < FEW {
+                break;
+            }
+            pending = self.insert_in_parts(pending, axis, watch)?;
+            if 2 * pending.len() > before {
+                break;
+            }
+        }
+        pending.sort_unstable();
+        self.insert_alone(&pending, watch)
+    }
+
+    /// Inserts points on this thread.
+    fn insert_alone(&mut self, pending: &[u32], watch: &mut Watch<'_, '_>) -> Result<()> {
+        self.passes += 1;
+        for &vertex in pending {
+            if watch.is_due(WORK) {
+                self.report(watch)?;
+            }
+            while self.inserter.insert(&self.tetrahedra, vertex)? == Outcome::LacksRoom {
+                self.make_room(1)?;
+            }
+            self.inserted += 1;
+        }
+        Ok(())
+    }
+
+    /// Inserts points on all threads, each in a part of space, the first cut across an axis.
+    /// Returns those that reach out of their parts.
+    fn insert_in_parts(
+        &mut self,
+        pending: Vec<u32>,
+        axis: usize,
+        watch: &mut Watch<'_, '_>,
+    ) -> Result<Vec<u32>> {
+        self.passes += 1;
+        let count = pending.len();
+        let levels = self.threads.next_power_of_two().trailing_zeros();
+        let parts = parts(self.points, pending, axis, levels as usize)?;
+        let mut left = Vec::new();
+        let mut starts = with_capacity(parts.len())?;
+        for part in parts {
+            match self.start(&part)? {
+                Some(inserter) => starts.push((inserter, part.pending)),
+                None => left.try_extend(&part.pending)?,
+            }
+        }
+        let tetrahedra = &self.tetrahedra;
+        let act = |(mut inserter, pending): (Inserter<'a>, Vec<u32>), tick: &mut Tick<'_>| {
+            let mut left = Vec::new();
+            for vertex in pending {
+                tick(WORK)?;
+                if inserter.insert(tetrahedra, vertex)? != Outcome::Inserted {
+                    left.try_push(vertex)?;
+                }
+            }
+            Ok(Left { inserter, pending: left })
+        };
+        let done = on_threads_with_ticks(self.threads, watch, starts.into_iter(), act)?;
+        for Left { inserter, pending } in done {
+            self.inserter.absorb(inserter)?;
+            left.try_extend(&pending)?;
+        }
+        self.inserted += count - left.len();
+        self.report(watch)?;
+        Ok(left)
+    }
+
+    /// Returns one that inserts in the region of a part, if a tetrahedron is found to begin at.
+    fn start(&mut self, part: &Part) -> Result<Option<Inserter<'a>>> {
+        for &vertex in part.pending.iter().take(TRIES) {
+            let found = self.inserter.locate(&self.tetrahedra, vertex);
+            let start = found.filter(|&found| self.tetrahedra.is_finite(found));
+            let Some(start) = start else { continue };
+            let mut inserter = self.inserter.in_region(part.region, start);
+            if inserter.is_own(&self.tetrahedra.corners(start)) {
+                let places = PLACES * part.pending.len();
+                self.make_room(places.saturating_sub(self.inserter.room.in_ranges()))?;
+                inserter.room = self.inserter.room.split(places)?;
+                return Ok(Some(inserter));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Makes room for so many tetrahedra more.
+    fn make_room(&mut self, places: usize) -> Result<()> {
+        if places == 0 {
+            return Ok(());
+        }
+        let range = self.tetrahedra.grow(places)?;
+        Ok(self.inserter.room.add_range(range)?)
+    }
+
+    fn report(&self, watch: &mut Watch<'_, '_>) -> Result<()> {
+        let done = self.inserted as f64 / self.points.len() as f64;
+        let simplices = self.tetrahedra.count() - self.inserter.room.size();
+        let counts = [self.inserted, self.inserted, simplices].map(|count| count as u64);
+        watch.note(Phase::Insert, done, counts);
+        watch.report()
+    }
+
+    /// Adds what the insertions have taken.
+    pub fn count_into(&self, stats: &mut Stats) {
+        stats.passes = self.passes;
+        stats.touches = self.inserter.steps;
+        stats.max_touches = self.inserter.most_steps;
+        stats.exact_fallbacks = self.inserter.fallbacks();
+        stats.simplices_created = self.inserter.created;
+    }
+}

@@ -2071,7 +2071,9 @@ typedef struct nm_stats {
     uint64_t precision_limited;
     /**
      * Wall-clock time of the run, in seconds, without what nm_options.instruments takes. The only
-     * field that differs between equal runs.
+     * field that differs between equal runs. On another number of threads touches, max_touches,
+     * exact_fallbacks and passes of NM_ALGORITHM_DELAUNAY in 3D differ, too; no other field does,
+     * and no array.
      */
     double seconds;
     /**
@@ -2083,7 +2085,7 @@ typedef struct nm_stats {
     /**
      * The length of the longest conflict list after a round over that before the round, largest
      * over all rounds. At most 1/2; 0 without such lists (NM_ALGORITHM_SVR, and
-     * NM_ALGORITHM_DELAUNAY in 2D, whose touches are steps of walks).
+     * NM_ALGORITHM_DELAUNAY in 2D and 3D, whose touches are steps of walks).
      */
     double worst_halving;
     /**

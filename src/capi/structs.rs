@@ -446,7 +446,9 @@ pub struct nm_stats {
     /// Vertices that are precision-limited, as nm_quality.precision_limited.
     pub precision_limited: u64,
     /// Wall-clock time of the run, in seconds, without what nm_options.instruments takes. The only
-    /// field that differs between equal runs.
+    /// field that differs between equal runs. On another number of threads touches, max_touches,
+    /// exact_fallbacks and passes of NM_ALGORITHM_DELAUNAY in 3D differ, too; no other field does,
+    /// and no array.
     pub seconds: f64,
     /// Nets or samples taken in these rounds. A round takes one, and another each time that the
     /// last one has not halved every conflict list. (The conflict list of a simplex holds the
@@ -454,7 +456,7 @@ pub struct nm_stats {
     pub passes: u64,
     /// The length of the longest conflict list after a round over that before the round, largest
     /// over all rounds. At most 1/2; 0 without such lists (NM_ALGORITHM_SVR, and
-    /// NM_ALGORITHM_DELAUNAY in 2D, whose touches are steps of walks).
+    /// NM_ALGORITHM_DELAUNAY in 2D and 3D, whose touches are steps of walks).
     pub worst_halving: f64,
     /// Points inserted for cages during the run, those of cages released later included.
     /// input_vertices, cage_points, far_corners and off_centers add up to the vertices.

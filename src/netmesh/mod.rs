@@ -171,8 +171,8 @@ where
     mesher.into_triangulation(begun)
 }
 
-/// Makes the plain Delaunay triangulation of the plane or of space. Instruments, if there are any, look at
-/// D-balls, which only a [`Mesher`] has.
+/// Makes the plain Delaunay triangulation of the plane or of space. Instruments, if there are any,
+/// look at D-balls, which only a [`Mesher`] has.
 fn plain_and_measured<const D: usize>(
     inputs: &Inputs,
     parameters: Parameters,

@@ -116,7 +116,8 @@ for filtrations of the mesh. Not in hierarchical meshes.",
                 default: 1, group: Run, on_ranks: true,
                 kind: Kind::Whole(u32::MAX as u64),
                 help: "Number of threads, 0 for all cores; the mesh does not depend on it. Of use \
-in 2D and 3D from 524,288 distinct inputs on.",
+in 2D and 3D from 524,288 distinct inputs on, for the Delaunay triangulation of \
+inputs in 3D from 20,000 on.",
             }
             Instruments instruments: bool {
                 default: false, group: Run, on_ranks: false,

@@ -95,9 +95,8 @@ fn order<const D: usize>(view: View<'_, D>) -> AllocResult<Vec<u32>> {
         keys.push((interleaved(&cells), vertex));
     }
     // Of those in one cell, by their coordinates: the caller's order does not count.
-    let compare = |a: u32, b: u32| {
-        view.point(a).partial_cmp(view.point(b)).expect("coordinates are finite")
-    };
+    let compare =
+        |a: u32, b: u32| view.point(a).partial_cmp(view.point(b)).expect("coordinates are finite");
     keys.sort_unstable_by(|a, b| a.0.cmp(&b.0).then_with(|| compare(a.1, b.1)));
     collected(keys.into_iter().map(|(_, vertex)| vertex))
 }

@@ -194,11 +194,9 @@ fn the_order_of_points_does_not_count() {
     let is_on_face = |p: &[i32; 3]| p.iter().any(|&x| x == 0 || x == 6);
     let faces = lattice.filter(is_on_face).flat_map(|p| p.map(f64::from)).collect();
     let outlier = [noisy.clone(), vec![1e7, 5e5, 9e6]].concat();
-    for (points, kind) in [
-        (noisy, SurfaceKind::Closed),
-        (outlier, SurfaceKind::Open),
-        (faces, SurfaceKind::Closed),
-    ] {
+    for (points, kind) in
+        [(noisy, SurfaceKind::Closed), (outlier, SurfaceKind::Open), (faces, SurfaceKind::Closed)]
+    {
         let facets = |points: &[f64]| {
             let (_, surface) = surface_of(3, points, kind);
             let at = |vertex: &u32| [0, 1, 2].map(|axis| points[3 * *vertex as usize + axis]);

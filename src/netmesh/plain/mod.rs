@@ -1,7 +1,7 @@
-//! The plain Delaunay triangulation of the plane and of space. It needs nothing of what a mesh does,
-//! neither D-balls nor conflict lists (§6.1): inputs go in one by one, in rounds that double, each
-//! along a curve, so that a walk from the last one finds the next ("biased randomized insertion
-//! order", Amenta, Choi and Rote 2003).
+//! The plain Delaunay triangulation of the plane and of space. It needs nothing of what a mesh
+//! does, neither D-balls nor conflict lists (§6.1): inputs go in one by one, in rounds that double,
+//! each along a curve, so that a walk from the last one finds the next ("biased randomized
+//! insertion order", Amenta, Choi and Rote 2003).
 //!
 //! - `rounds`: the order of the inputs.
 //! - `plane`: edges that flip; `space`: cavities.
@@ -99,7 +99,8 @@ fn first_simplex<const D: usize, const N: usize>(points: &[[f64; D]]) -> Result<
     let found = collected(basis.iter().map(|&at| at as u32))?;
     found.try_into().map_err(|found: Vec<u32>| {
         let message = message!(
-            "the points have affine rank {}; a Delaunay triangulation in dimension {D} needs rank {D}",
+            "the points have affine rank {}; a Delaunay triangulation in dimension {D} needs rank \
+             {D}",
             found.len() as i64 - 1
         );
         Error::new(ErrorKind::DegenerateInput, message)

@@ -9,7 +9,7 @@ use super::tetrahedra::{FACES, Face, INFINITE, Record, Tetrahedra};
 use crate::memory::{AllocResult, TryGrow, reserve};
 use crate::numerics::Sign;
 
-/// What became of a point.
+/// Outcome of an insertion.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Outcome {
     Inserted,

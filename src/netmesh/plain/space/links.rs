@@ -6,7 +6,7 @@ use crate::memory::{AllocResult, TryGrow};
 /// A table of edges, open addressing.
 pub(super) struct Links {
     slots: Vec<Slot>,
-    /// What the slots of this star have.
+    /// Stamp of the slots of this star.
     stamp: u32,
     /// Bits of a hash that are not used.
     shift: u32,
@@ -41,7 +41,11 @@ impl Links {
     #[inline]
     pub fn meet(&mut self, a: u32, b: u32, face: Face) -> Option<Face> {
         const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
-        let edge = if a < b { u64::from(a) << 32 | u64::from(b) } else { u64::from(b) << 32 | u64::from(a) };
+        let edge = if a < b {
+            u64::from(a) << 32 | u64::from(b)
+        } else {
+            u64::from(b) << 32 | u64::from(a)
+        };
         let mask = self.slots.len() - 1;
         let mut at = (edge.wrapping_mul(GOLDEN) >> self.shift) as usize;
         loop {

@@ -16,9 +16,9 @@ mod region;
 mod room;
 mod signs;
 mod sorted;
-mod tetrahedra;
 #[cfg(test)]
 mod tests;
+mod tetrahedra;
 
 use super::output::Simplices;
 use crate::error::Result;

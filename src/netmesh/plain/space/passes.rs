@@ -33,7 +33,7 @@ pub(super) struct Passes<'a> {
     passes: u64,
 }
 
-/// What a thread leaves behind.
+/// Things that a thread leaves behind.
 struct Left<'a> {
     inserter: Inserter<'a>,
     /// Points that are not in.
@@ -95,7 +95,7 @@ impl<'a> Passes<'a> {
         let mut left = Vec::new();
         let mut starts = with_capacity(parts.len())?;
         for part in parts {
-            match self.start(&part)? {
+            match self.begun_in(&part)? {
                 Some(inserter) => starts.push((inserter, part.pending)),
                 None => left.try_extend(&part.pending)?,
             }
@@ -122,10 +122,10 @@ impl<'a> Passes<'a> {
     }
 
     /// Returns one that inserts in the region of a part, if a tetrahedron is found to begin at.
-    fn start(&mut self, part: &Part) -> Result<Option<Inserter<'a>>> {
+    fn begun_in(&mut self, part: &Part) -> Result<Option<Inserter<'a>>> {
         for &vertex in part.pending.iter().take(TRIES) {
             let found = self.inserter.locate(&self.tetrahedra, vertex);
-            let start = found.filter(|&found| self.tetrahedra.is_finite(found));
+            let start = found.filter(|&found| self.tetrahedra.has_finite_corners(found));
             let Some(start) = start else { continue };
             let mut inserter = self.inserter.in_region(part.region, start);
             if inserter.is_own(&self.tetrahedra.corners(start)) {

@@ -196,8 +196,8 @@ impl Sphere {
         let ab_cd = xab.firsts(xcd) * yab.seconds(ycd) - xab.seconds(xcd) * yab.firsts(ycd);
         let (ab, cd) = (ab_cd.firsts(ab_cd), ab_cd.seconds(ab_cd));
         let ([za, zb], [zc, zd]) = (each(zab), each(zcd));
-        let acd_bcd = zab * cd - zc * ad_bc.first_and_second(ac_bd)
-            + zd * ac_bd.first_and_second(ad_bc);
+        let acd_bcd =
+            zab * cd - zc * ad_bc.first_and_second(ac_bd) + zd * ac_bd.first_and_second(ad_bc);
         let abc_abd = za * ad_bc.seconds(ac_bd) - zb * ac_bd.firsts(ad_bc) + zcd * ab;
         let products =
             self.first_squares * acd_bcd.swapped() + self.second_squares * abc_abd.swapped();

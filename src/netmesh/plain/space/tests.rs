@@ -116,7 +116,8 @@ fn neither_seed_nor_threads_change_a_byte() {
 fn simplices_are_sorted_and_neighbors_are_opposite() {
     let made = assert_certified(&uniform(2000, 3), 0);
     let neighbors = made.neighbors.chunks_exact(4);
-    for (simplex, (corners, neighbors)) in made.simplices.chunks_exact(4).zip(neighbors).enumerate() {
+    for (simplex, (corners, neighbors)) in made.simplices.chunks_exact(4).zip(neighbors).enumerate()
+    {
         for (corner, &neighbor) in corners.iter().zip(neighbors).filter(|(_, n)| **n != NONE) {
             let others = &made.simplices[4 * neighbor as usize..][..4];
             assert!(!others.contains(corner));

@@ -148,7 +148,7 @@ impl Tetrahedra {
         self.at(face / 4).twins[(face % 4) as usize].load(Relaxed)
     }
 
-    pub fn is_finite(&self, tetrahedron: u32) -> bool {
+    pub fn has_finite_corners(&self, tetrahedron: u32) -> bool {
         self.corners(tetrahedron)[3] != INFINITE
     }
 

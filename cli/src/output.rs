@@ -1,10 +1,11 @@
 //! Files of the mesh and of the record. Whatever is wrong with them and can be known before the
 //! work is said before the work.
 
+use crate::arguments::{Arguments, Product};
 use crate::exit_code::{ExitCode, Failure};
 use crate::standard;
-use netmesh::io::{self, Format};
-use netmesh::{Attribute, Error, ErrorKind, Mesh};
+use netmesh::io::{self, Data, Format};
+use netmesh::{Error, ErrorKind, Mesh};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -82,19 +83,21 @@ pub fn require_format(mesh: &Mesh, path: &Path, format: Format) -> Result<(), Fa
     }
 }
 
-/// Writes the mesh with attributes at its vertices.
-pub fn write(
-    mesh: &Mesh,
-    attributes: &[Attribute],
-    path: &Path,
-    format: Format,
-) -> Result<(), Failure> {
+/// Returns true if the file of the mesh tells measures of it.
+pub fn needs_measures(arguments: &Arguments) -> bool {
+    let Some(path) = arguments.output.as_deref() else { return false };
+    let format = arguments.output_format().resolve_output(path);
+    arguments.product() == Product::Mesh && format.is_ok_and(Format::needs_measures)
+}
+
+/// Writes the mesh with data of its vertices.
+pub fn write(mesh: &Mesh, data: Data<'_>, path: &Path, format: Format) -> Result<(), Failure> {
     let written = match standard::is_meant(path) {
         true => {
             let mut out = std::io::stdout().lock();
-            io::write_with(mesh, attributes, format, &mut out)
+            io::write_with(mesh, data, format, &mut out)
         }
-        false => io::write_file_with(mesh, attributes, path, format),
+        false => io::write_file_with(mesh, data, path, format),
     };
     written.map_err(|error| failure(path, &error))
 }

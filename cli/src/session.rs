@@ -22,7 +22,9 @@ use crate::sizes;
 use crate::standard;
 use crate::summary::{Summary, Times};
 use crate::words::CommandLine;
+use netmesh::io::Data;
 use netmesh::prepared::Prepared;
+use netmesh::quality::Measures;
 use netmesh::surface::SurfaceKind;
 use netmesh::{Extent, Mesh, Triangulation, quality};
 use std::io::Write;
@@ -60,7 +62,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         require_parts(&mesh, arguments)?;
     }
     let scan = timed(&mut times.mesh, || make(&mut mesh, &origins, arguments, &display))?;
-    let alpha_shape = timed(&mut times.write, || write(&mesh, scan.as_ref(), arguments, &display))?;
+    let measures = timed(&mut times.measure, || measure(&mesh, arguments, &display))?;
+    let alpha_shape = timed(&mut times.write, || {
+        write(&mesh, scan.as_ref(), measures.as_ref(), arguments, &display)
+    })?;
+    let quality = measures.map(|measures| measures.quality);
     let report = match arguments.validate {
         true => Some({
             let _stage = display.stage("certifying");
@@ -73,12 +79,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         }),
         false => None,
     };
-    if !arguments.quiet || arguments.json.is_some() {
+    if let Some(quality) = &quality {
         let triangulation = triangulation_of(&mesh)?;
-        let quality = {
-            let _stage = display.stage("measuring");
-            timed(&mut times.measure, || quality::measure(triangulation))?
-        };
         let histograms = match arguments.histogram {
             true => Some(Histograms::of(triangulation)?),
             false => None,
@@ -92,7 +94,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             repairs: &repairs,
             attributes: mesh.attributes(),
             triangulation,
-            quality: &quality,
+            quality,
             alpha_shape: alpha_shape.as_ref(),
             scan: scan.as_ref(),
             histograms: histograms.as_ref(),
@@ -237,10 +239,29 @@ fn make_mesh(
     })
 }
 
+/// Measures the mesh if a summary or a record is going to tell of it: before the file is written,
+/// which may have the same measures.
+fn measure(
+    mesh: &Mesh,
+    arguments: &Arguments,
+    display: &Display,
+) -> Result<Option<Measures>, Failure> {
+    if arguments.quiet && arguments.json.is_none() {
+        return Ok(None);
+    }
+    let _stage = display.stage("measuring");
+    let triangulation = triangulation_of(mesh)?;
+    Ok(Some(match output::needs_measures(arguments) {
+        true => Measures::of(triangulation)?,
+        false => Measures { quality: quality::measure(triangulation)?, ..Measures::default() },
+    }))
+}
+
 /// Writes what was asked for.
 fn write(
     mesh: &Mesh,
     scan: Option<&scan::Found>,
+    measures: Option<&Measures>,
     arguments: &Arguments,
     display: &Display,
 ) -> Result<Option<alpha_shape::Measured>, Failure> {
@@ -258,7 +279,7 @@ fn write(
             let _stage = display.stage("writing");
             scan.map_or(Ok(()), |found| scan::write(mesh, &found.surface, output))?;
         }
-        (Product::Mesh, Some(output)) => write_mesh(mesh, output, arguments, display)?,
+        (Product::Mesh, Some(output)) => write_mesh(mesh, measures, output, arguments, display)?,
         (_, None) => {}
     }
     Ok(None)
@@ -266,6 +287,7 @@ fn write(
 
 fn write_mesh(
     mesh: &Mesh,
+    measures: Option<&Measures>,
     output: &Path,
     arguments: &Arguments,
     display: &Display,
@@ -276,7 +298,8 @@ fn write_mesh(
         prepared.vertex_attributes(mesh)?
     };
     let _stage = display.stage("writing");
-    output::write(mesh, attributes, output, arguments.output_format())
+    let measures = measures.filter(|_| output::needs_measures(arguments));
+    output::write(mesh, Data { attributes, measures }, output, arguments.output_format())
 }
 
 fn triangulation_of(mesh: &Mesh) -> Result<&Triangulation, Failure> {

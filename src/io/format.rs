@@ -127,6 +127,12 @@ impl Format {
         }
     }
 
+    /// Returns true if files of the format tell measures of the mesh
+    /// ([`Measures`](crate::quality::Measures)).
+    pub fn needs_measures(self) -> bool {
+        matches!(self, Self::Vtu | Self::Svg | Self::Html)
+    }
+
     /// Returns true if files of the format can hold attributes of points.
     pub fn holds_attributes(self) -> bool {
         match self {

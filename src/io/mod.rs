@@ -41,6 +41,7 @@ mod buffered;
 mod choice;
 mod columns;
 mod csv;
+mod data;
 mod diagnosis;
 mod domains;
 mod features;
@@ -53,7 +54,6 @@ mod html;
 mod independent;
 mod json;
 mod layout;
-mod measures;
 mod medit;
 mod merging;
 mod npy;
@@ -83,6 +83,7 @@ mod xyz;
 pub(crate) use buffered::Buffered;
 pub use choice::{AttributeColumns, Choice};
 pub use columns::Columns;
+pub use data::Data;
 pub use diagnosis::write_diagnosis_file;
 pub use filtration::{FiltrationFormat, write_filtration, write_filtration_file};
 pub use format::Format;
@@ -309,23 +310,23 @@ fn read_named(
 /// # Errors
 /// `Io`, and as [`write()`]; `InvalidArgument` for an extension that names no format.
 pub fn write_file(mesh: &Mesh, path: &Path, format: Format) -> Result<()> {
-    write_file_with(mesh, &[], path, format)
+    write_file_with(mesh, Data::default(), path, format)
 }
 
 /// Writes `mesh` to `path` as [`write_file`] does, with attributes at the vertices
-/// ([`vertex_attributes`](crate::prepared::Prepared::vertex_attributes)); formats that hold none
-/// ([`Format::holds_attributes`]) do without.
+/// ([`vertex_attributes`](crate::prepared::Prepared::vertex_attributes)), perhaps with measures
+/// that have been made; formats that hold none do without.
 ///
 /// # Errors
-/// Fails as [`write_file`] does; `InvalidArgument` if the attributes are not those of the vertices.
-pub fn write_file_with(
-    mesh: &Mesh,
-    attributes: &[Attribute],
+/// Fails as [`write_file`] does; `InvalidArgument` if the data is not that of the mesh.
+pub fn write_file_with<'a>(
+    mesh: &'a Mesh,
+    data: impl Into<Data<'a>>,
     path: &Path,
     format: Format,
 ) -> Result<()> {
     let format = format.resolve_output(path)?;
-    let content = Content::of(mesh, attributes, format)?;
+    let content = Content::of(mesh, data.into(), format)?;
     if let Some(mut stream) = replace::open_stream(path)? {
         return content.write(&mut stream);
     }
@@ -359,8 +360,9 @@ pub fn write_file_with(
 /// Writes `mesh` to `out`; for `TetgenNode` the `.node` part, then the `.ele` part.
 ///
 /// `Xyz`, `Csv` and `Npy` write the mesh's vertices, before a run the distinct inputs (which are
-/// the first vertices of every mesh); `Csv` under the header `x0,x1,..,kind`. `Vtu`,
-/// `VoronoiJson`, `Svg` and `Html` measure the mesh first, which takes longer than writing it.
+/// the first vertices of every mesh); `Csv` under the header `x0,x1,..,kind`. `VoronoiJson` and the
+/// formats that need measures ([`Format::needs_measures`]) measure the mesh first, which takes
+/// longer than writing it.
 ///
 /// # Errors
 /// - `Io`: `out` fails; it is not called again;
@@ -369,21 +371,20 @@ pub fn write_file_with(
 ///   there is no extension;
 /// - `OutOfMemory`.
 pub fn write(mesh: &Mesh, format: Format, out: &mut dyn Write) -> Result<()> {
-    write_with(mesh, &[], format, out)
+    write_with(mesh, Data::default(), format, out)
 }
 
-/// Writes `mesh` to a stream as [`write()`] does, with attributes at the vertices, as
-/// [`write_file_with`] has them.
+/// Writes `mesh` to a stream as [`write()`] does, with data as [`write_file_with`] has it.
 ///
 /// # Errors
-/// Fails as [`write()`] does; `InvalidArgument` if the attributes are not those of the vertices.
-pub fn write_with(
-    mesh: &Mesh,
-    attributes: &[Attribute],
+/// Fails as [`write()`] does; `InvalidArgument` if the data is not that of the mesh.
+pub fn write_with<'a>(
+    mesh: &'a Mesh,
+    data: impl Into<Data<'a>>,
     format: Format,
     out: &mut dyn Write,
 ) -> Result<()> {
-    Content::of(mesh, attributes, format)?.write(out)
+    Content::of(mesh, data.into(), format)?.write(out)
 }
 
 /// Markers of what a mesh was made of.
@@ -403,7 +404,7 @@ impl<'a> Markers<'a> {
 
 /// Content of a file: everything that can be refused has been.
 enum Content<'a> {
-    Vtu(&'a Mesh, &'a Triangulation, &'a [Attribute]),
+    Vtu(&'a Mesh, &'a Triangulation, Data<'a>),
     Tetgen(&'a Mesh, &'a Triangulation, &'a [Attribute]),
     Gmsh(&'a Mesh, &'a Triangulation, &'a [Attribute]),
     Medit(&'a Mesh, &'a Triangulation),
@@ -415,25 +416,17 @@ enum Content<'a> {
     Npy(&'a Mesh, &'a [Attribute]),
     Voronoi(&'a Mesh, &'a Triangulation),
     Domains(&'a Triangulation),
-    Svg(&'a Triangulation),
-    Html(&'a Mesh, &'a Triangulation, &'a [Attribute]),
+    Svg(&'a Triangulation, Data<'a>),
+    Html(&'a Mesh, &'a Triangulation, Data<'a>),
 }
 
 impl<'a> Content<'a> {
-    fn of(mesh: &'a Mesh, attributes: &'a [Attribute], format: Format) -> Result<Self> {
+    fn of(mesh: &'a Mesh, data: Data<'a>, format: Format) -> Result<Self> {
         format.check_dimension(mesh.inputs().dim())?;
         let inputs = mesh.inputs().distinct();
         let vertices = mesh.triangulation().map_or(inputs, Triangulation::vertex_count);
-        for Attribute { name, components, values, .. } in attributes {
-            if vertices.checked_mul(*components) != Some(values.len()) {
-                let message = message!(
-                    "attribute {name} has {} values; it must have vertices x components \
-                     = {vertices} x {components}",
-                    values.len()
-                );
-                return Err(Error::invalid(message));
-            }
-        }
+        data.check(vertices, mesh.triangulation())?;
+        let attributes = data.attributes;
         let triangulation = || {
             mesh.triangulation().ok_or_else(|| {
                 let message = message!(
@@ -445,7 +438,7 @@ impl<'a> Content<'a> {
         };
         match format {
             Format::Auto => Err(auto_without_path()),
-            Format::Vtu => Ok(Self::Vtu(mesh, triangulation()?, attributes)),
+            Format::Vtu => Ok(Self::Vtu(mesh, triangulation()?, data)),
             Format::TetgenNode => Ok(Self::Tetgen(mesh, triangulation()?, attributes)),
             Format::Gmsh => Ok(Self::Gmsh(mesh, triangulation()?, attributes)),
             Format::Medit => Ok(Self::Medit(mesh, triangulation()?)),
@@ -461,8 +454,8 @@ impl<'a> Content<'a> {
             Format::Npy => Ok(Self::Npy(mesh, attributes)),
             Format::VoronoiJson => Ok(Self::Voronoi(mesh, triangulation()?)),
             Format::DomainsJson => triangulation().map(Self::Domains),
-            Format::Svg => triangulation().map(Self::Svg),
-            Format::Html => Ok(Self::Html(mesh, triangulation()?, attributes)),
+            Format::Svg => Ok(Self::Svg(triangulation()?, data)),
+            Format::Html => Ok(Self::Html(mesh, triangulation()?, data)),
             Format::Poly | Format::Smesh | Format::Obj | Format::Geojson | Format::Wkt => {
                 Err(format.read_only())
             }
@@ -478,8 +471,8 @@ impl<'a> Content<'a> {
 
     fn write_unbuffered(&self, out: &mut dyn Write) -> std::io::Result<()> {
         match self {
-            Self::Vtu(mesh, triangulation, attributes) => {
-                vtu::write(mesh.inputs(), triangulation, Markers::of(mesh), attributes, out)
+            Self::Vtu(mesh, triangulation, data) => {
+                vtu::write(mesh.inputs(), triangulation, Markers::of(mesh), data, out)
             }
             Self::Tetgen(_, triangulation, attributes) => {
                 tetgen::write_node(triangulation, attributes, out)?;
@@ -499,9 +492,9 @@ impl<'a> Content<'a> {
             Self::Npy(mesh, attributes) => npy::write(mesh, attributes, out),
             Self::Voronoi(mesh, triangulation) => voronoi::write(mesh.inputs(), triangulation, out),
             Self::Domains(triangulation) => domains::write(triangulation, out),
-            Self::Svg(triangulation) => svg::write(triangulation, out),
-            Self::Html(mesh, triangulation, attributes) => {
-                html::write(triangulation, Markers::of(mesh).facets, attributes, out)
+            Self::Svg(triangulation, data) => svg::write(triangulation, data, out),
+            Self::Html(mesh, triangulation, data) => {
+                html::write(triangulation, Markers::of(mesh).facets, data, out)
             }
         }
     }

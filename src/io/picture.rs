@@ -1,12 +1,12 @@
 //! Parts that SVG and HTML share: colours, coordinates in the box of the mesh, which cells are
 //! drawn where there are too many, and sentences that tell what is shown.
 
-use crate::memory::{AllocError, AllocResult, copied, filled, with_capacity};
+use crate::memory::{AllocResult, copied, filled, with_capacity};
 use crate::mesh::{NONE, Triangulation, VertexKind};
 use crate::options::{Algorithm, Criterion};
+use crate::quality::Quality;
 use crate::quality::angles::{angle, smallest_squared_tangent};
 use crate::quality::view::View;
-use crate::quality::{self, Quality};
 use std::fmt::{self, Display};
 use std::io;
 
@@ -120,7 +120,7 @@ pub(super) fn distinct(labels: &[i32]) -> AllocResult<Vec<i32>> {
 /// Figures of a mesh, and the sentences that tell them.
 pub(super) struct Facts<'a> {
     mesh: &'a Triangulation,
-    pub quality: Quality,
+    pub quality: &'a Quality,
     /// Smallest angle of all simplices, in degrees.
     pub least_angle: f64,
     /// Labels of regions, ascending.
@@ -128,19 +128,13 @@ pub(super) struct Facts<'a> {
 }
 
 impl<'a> Facts<'a> {
-    /// Measures a mesh of dimension 2 or 3.
-    pub fn new(mesh: &'a Triangulation) -> AllocResult<Self> {
+    /// Measures the angles of a mesh of dimension 2 or 3, which has this quality.
+    pub fn new(mesh: &'a Triangulation, quality: &'a Quality) -> AllocResult<Self> {
         let mut least_angle = 180f64;
         for simplex in 0..mesh.simplex_count() {
             least_angle = least_angle.min(smallest_angle(mesh, simplex)?);
         }
-        Ok(Self {
-            mesh,
-            // Memory is all that measuring can lack.
-            quality: quality::measure(mesh).map_err(|_| AllocError::Memory)?,
-            least_angle,
-            regions: distinct(&mesh.boundary.simplex_regions)?,
-        })
+        Ok(Self { mesh, quality, least_angle, regions: distinct(&mesh.boundary.simplex_regions)? })
     }
 
     /// Visits sentences about the mesh, each without its full stop.
@@ -175,7 +169,7 @@ impl<'a> Facts<'a> {
         if mesh.simplex_count() > 0 {
             visit(format_args!("Smallest {angle} {} degrees", figure(self.least_angle)))?;
         }
-        let Quality { min_angle_degrees, worst_radius_edge, worst_aspect, .. } = self.quality;
+        let Quality { min_angle_degrees, worst_radius_edge, worst_aspect, .. } = *self.quality;
         if min_angle_degrees > 0.0 && worst_radius_edge > 0.0 {
             let [degrees, ratio] = [min_angle_degrees, worst_radius_edge].map(figure);
             visit(format_args!("Off the hull {degrees} degrees, radius-edge ratio {ratio}"))?;
@@ -358,6 +352,10 @@ mod tests {
     }
 
     /// Returns the sentences, each on a line of its own.
+    fn quality_of(mesh: &crate::Mesh) -> Quality {
+        crate::quality::measure(mesh.triangulation().unwrap()).unwrap()
+    }
+
     fn text_of(facts: &Facts<'_>) -> String {
         let mut text = String::new();
         let visit = |line: fmt::Arguments<'_>| {
@@ -371,7 +369,8 @@ mod tests {
     #[test]
     fn the_facts_are_those_of_the_mesh() {
         let mesh = samples::finished(2);
-        let facts = Facts::new(mesh.triangulation().unwrap()).unwrap();
+        let quality = quality_of(&mesh);
+        let facts = Facts::new(mesh.triangulation().unwrap(), &quality).unwrap();
         let text = text_of(&facts);
         let cells = mesh.triangulation().unwrap().simplex_count();
         assert!(text.contains(&format!("{} triangles\n", grouped(cells))), "{text}");
@@ -380,7 +379,8 @@ mod tests {
         assert!(text.contains(&least) && facts.least_angle > 0.0, "{text}");
         assert!(facts.least_angle <= facts.quality.min_angle_degrees);
         let square = samples::square_with_segments();
-        let facts = Facts::new(square.triangulation().unwrap()).unwrap();
+        let quality = quality_of(&square);
+        let facts = Facts::new(square.triangulation().unwrap(), &quality).unwrap();
         assert!((facts.least_angle - 45.0).abs() < 1e-12);
         assert_eq!(facts.regions, [-8, 7]);
         let text = text_of(&facts);
@@ -388,7 +388,8 @@ mod tests {
         assert!(text.starts_with(expected), "{text}");
         let mut plain = crate::Mesh::new(2, 3, &[0., 0., 1., 0., 0., 1.], 0).unwrap();
         plain.run(&samples::delaunay(), None).unwrap();
-        let text = text_of(&Facts::new(plain.triangulation().unwrap()).unwrap());
+        let quality = quality_of(&plain);
+        let text = text_of(&Facts::new(plain.triangulation().unwrap(), &quality).unwrap());
         let expected = "3 vertices: 3 inputs, 0 Steiner\n1 triangles\n\
                         Delaunay triangulation of the inputs, without a bound\n";
         assert!(text.starts_with(expected), "{text}");

@@ -1,8 +1,8 @@
 //! SVG: a planar mesh as a picture, with coordinates in thousandths of a pixel. Triangles are paths
 //! with hairlines, filled by region; segments are bold, and inputs are dots if there are few.
 
-use super::allocation_failed;
 use super::picture::{COLOURS, Facts, Frame, Kept, Outline, PLAIN, figure, grouped};
+use super::{Data, allocation_failed};
 use crate::memory::collected;
 use crate::mesh::{Triangulation, VertexKind};
 use std::io::{self, Write};
@@ -22,8 +22,9 @@ const DOTS: usize = 2_000;
 /// Number of triangles or pieces of a path: programs are slow with long ones.
 const PATH: usize = 1_000;
 
-pub(super) fn write(mesh: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
-    let facts = Facts::new(mesh).map_err(allocation_failed)?;
+pub(super) fn write(mesh: &Triangulation, data: &Data<'_>, out: &mut dyn Write) -> io::Result<()> {
+    let measures = data.measures_of(mesh)?;
+    let facts = Facts::new(mesh, &measures.quality).map_err(allocation_failed)?;
     Picture { mesh, facts, frame: Frame::new(mesh), limit: LIMIT }.write(out)
 }
 
@@ -216,6 +217,7 @@ mod tests {
     use super::*;
     use crate::error::ErrorKind;
     use crate::mesh::Mesh;
+    use crate::quality::measure;
 
     fn text(mesh: &Mesh) -> String {
         let mut text = Vec::new();
@@ -225,7 +227,8 @@ mod tests {
 
     fn thinned(mesh: &Mesh, limit: usize) -> String {
         let mesh = mesh.triangulation().unwrap();
-        let facts = Facts::new(mesh).unwrap();
+        let quality = measure(mesh).unwrap();
+        let facts = Facts::new(mesh, &quality).unwrap();
         let mut text = Vec::new();
         Picture { mesh, facts, frame: Frame::new(mesh), limit }.write(&mut text).unwrap();
         String::from_utf8(text).unwrap()

@@ -7,14 +7,20 @@ use crate::memory::TryGrow;
 use crate::mesh::{MAX_DIM, MIN_DIM};
 use std::fmt::Display;
 use std::io::{self, BufRead, Read, Write};
+use std::ops::Range;
 
 /// The longest line that is read, with its end: a file without line ends must not fill the memory.
 const MAX_LINE: usize = 1 << 20;
 
+const NUL: &str = "a NUL byte; this is not a text file";
+
 /// The lines of a text that say something: comments are dropped, blank lines skipped.
 pub(super) struct Lines<'a> {
     input: &'a mut dyn BufRead,
-    buffer: Vec<u8>,
+    /// The line that was read last, as it is in the file.
+    line: String,
+    /// Part of it without its comment and blanks.
+    content: Range<usize>,
     number: u64,
     /// A `#` between quotes begins no comment.
     has_quotes: bool,
@@ -30,7 +36,7 @@ pub(super) struct Line<'a> {
 
 impl<'a> Lines<'a> {
     pub fn new(input: &'a mut dyn BufRead) -> Self {
-        Self { input, buffer: Vec::new(), number: 0, has_quotes: false }
+        Self { input, line: String::new(), content: 0..0, number: 0, has_quotes: false }
     }
 
     /// Reads lines of a format in which fields may stand between quotes.
@@ -40,7 +46,7 @@ impl<'a> Lines<'a> {
 
     /// Returns the next line that says something.
     pub fn next(&mut self) -> Result<Option<Line<'_>>> {
-        if self.advance()? { self.current().map(Some) } else { Ok(None) }
+        Ok(if self.advance()? { Some(self.current()) } else { None })
     }
 
     /// Returns the next line; the error of a file that ends instead tells what it `lacks`.
@@ -49,7 +55,7 @@ impl<'a> Lines<'a> {
             let message = format!("the file ends after line {}: {}", self.number, lacks());
             return Err(Error::format(message));
         }
-        self.current()
+        Ok(self.current())
     }
 
     /// Refuses further data.
@@ -63,24 +69,25 @@ impl<'a> Lines<'a> {
     /// Reads up to the next line that is neither blank nor a comment; false at the end of the file.
     fn advance(&mut self) -> Result<bool> {
         while self.fill()? {
-            if !self.current()?.text.is_empty() {
+            if !self.content.is_empty() {
                 return Ok(true);
             }
         }
         Ok(false)
     }
 
-    fn current(&self) -> Result<Line<'_>> {
-        Ok(Line { number: self.number, text: content(self.decoded()?, self.has_quotes) })
+    fn current(&self) -> Line<'_> {
+        Line { number: self.number, text: &self.line[self.content.clone()] }
     }
 
     /// Reads one line, whatever is in it; false at the end of the file.
     fn fill(&mut self) -> Result<bool> {
-        self.buffer.clear();
+        let mut bytes = std::mem::take(&mut self.line).into_bytes();
+        bytes.clear();
         self.skip_empty_lines()?;
         let mut bounded = (&mut *self.input).take(MAX_LINE as u64 + 1);
         let length = bounded
-            .read_until(b'\n', &mut self.buffer)
+            .read_until(b'\n', &mut bytes)
             .map_err(|error| cannot_read_on(self.number, &error))?;
         if length == 0 {
             return Ok(false);
@@ -88,9 +95,10 @@ impl<'a> Lines<'a> {
         self.number += 1;
         if length > MAX_LINE {
             // What is no text at all has no lines either, and that says more.
-            self.refuse_nul(&self.buffer)?;
+            self.refuse_byte(&bytes, 0, NUL)?;
             return Err(self.refused("the line is longer than 1 MiB"));
         }
+        self.decode(bytes)?;
         Ok(true)
     }
 
@@ -120,34 +128,34 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// Returns the line as text, without its end.
-    fn decoded(&self) -> Result<&str> {
-        let mut line = self.buffer.as_slice();
-        if self.number == 1 {
-            line = line.strip_prefix(b"\xef\xbb\xbf").unwrap_or(line);
-        }
+    /// Takes the bytes of a line as text, and finds what it says.
+    fn decode(&mut self, bytes: Vec<u8>) -> Result<()> {
+        const MARK: &[u8] = b"\xef\xbb\xbf";
+        let start = if self.number == 1 && bytes.starts_with(MARK) { MARK.len() } else { 0 };
+        let mut line = &bytes[start..];
         line = line.strip_suffix(b"\n").unwrap_or(line);
         line = line.strip_suffix(b"\r").unwrap_or(line);
-        self.refuse_nul(line)?;
+        self.refuse_byte(line, 0, NUL)?;
         // As a blank it would join two lines of an old text file into one point.
-        self.refuse_byte(
-            line,
-            b'\r',
-            "a carriage return inside the line; lines end with LF or CR LF",
-        )?;
-        std::str::from_utf8(line)
-            .map_err(|error| self.refused_byte(error.valid_up_to(), "the line is not valid UTF-8"))
-    }
-
-    fn refuse_nul(&self, line: &[u8]) -> Result<()> {
-        self.refuse_byte(line, 0, "a NUL byte; this is not a text file")
+        let why = "a carriage return inside the line; lines end with LF or CR LF";
+        self.refuse_byte(line, b'\r', why)?;
+        let end = start + line.len();
+        self.line = String::from_utf8(bytes).map_err(|error| {
+            let index = error.utf8_error().valid_up_to() - start;
+            self.refused_byte(index, "the line is not valid UTF-8")
+        })?;
+        let (first, length) = content(&self.line[start..end], self.has_quotes);
+        self.content = start + first..start + first + length;
+        Ok(())
     }
 
     fn refuse_byte(&self, line: &[u8], byte: u8, why: &str) -> Result<()> {
-        match line.iter().position(|b| *b == byte) {
-            Some(index) => Err(self.refused_byte(index, why)),
-            None => Ok(()),
+        // To ask whether it is there takes a fraction of the time that it takes to ask where.
+        if !line.contains(&byte) {
+            return Ok(());
         }
+        let index = line.iter().position(|b| *b == byte).unwrap_or_default();
+        Err(self.refused_byte(index, why))
     }
 
     /// Returns the error of a byte of the line, counted from 0 here and from 1 in the message.
@@ -170,8 +178,8 @@ fn cannot_read_on(line: u64, error: &io::Error) -> Error {
     io_error(&format!("cannot read on after line {line}"), error)
 }
 
-/// Returns the part before the comment, without blanks around it.
-fn content(line: &str, has_quotes: bool) -> &str {
+/// Returns where the part before the comment begins, without blanks around it, and its length.
+fn content(line: &str, has_quotes: bool) -> (usize, usize) {
     let mut is_between = false;
     let begins_comment = |c: char| {
         is_between ^= has_quotes && c == '"';
@@ -181,7 +189,9 @@ fn content(line: &str, has_quotes: bool) -> &str {
         true => line.find(begins_comment),
         false => line.find('#'),
     };
-    line[..end.unwrap_or(line.len())].trim_ascii()
+    let content = line[..end.unwrap_or(line.len())].trim_ascii_end();
+    let trimmed = content.trim_ascii_start();
+    (content.len() - trimmed.len(), trimmed.len())
 }
 
 impl<'a> Line<'a> {
@@ -446,6 +456,30 @@ mod tests {
         assert!(lines_of(b"\n\n").unwrap().is_empty());
         let error = lines_of(b"\n\r\r\n").unwrap_err();
         assert!(error.message().starts_with("line 2, byte 1: a carriage return"), "{error}");
+    }
+
+    #[test]
+    fn bytes_that_are_no_text_are_counted_from_the_begin_of_their_line() {
+        for (text, line, byte, why) in [
+            (&b"a\0\r\xff\n"[..], 1, 2, "a NUL byte; this is not a text file"),
+            (b"\xef\xbb\xbfa\0", 1, 2, "a NUL byte; this is not a text file"),
+            (b" \n\xff\r\r\n", 2, 2, "a carriage return inside the line"),
+            (b"# \xff\n", 1, 3, "the line is not valid UTF-8"),
+            (b"\xef\xbb\xbf12\xe9\n", 1, 3, "the line is not valid UTF-8"),
+            (b"\xc3\xa9\n\xef\xbb\xbf\xe9\r\n", 2, 4, "the line is not valid UTF-8"),
+        ] {
+            let refused = lines_of(text).unwrap_err();
+            let expected = format!("line {line}, byte {byte}: {why}");
+            assert!(refused.message().starts_with(&expected), "{refused}: {expected}");
+        }
+    }
+
+    #[test]
+    fn what_a_line_says_is_between_its_blanks_and_before_its_comment() {
+        let text = "\u{feff} \t\u{e9} b \t# \u{e9}\r\n  \r\n #\n\u{feff}c#d\n e";
+        let expected = [(1, "\u{e9} b"), (4, "\u{feff}c"), (5, "e")];
+        let expected = expected.map(|(number, text)| (number, text.to_string()));
+        assert_eq!(lines_of(text.as_bytes()).unwrap(), expected);
     }
 
     #[test]

@@ -1,14 +1,14 @@
 //! VTK's XML unstructured grid, with the arrays as appended raw binary: small, and exact.
 
-use super::measures::Measures;
 use super::vtk::{
     DataArray, Grid, Numbers, Scalar, Section, write_numbers, write_points, write_types,
 };
-use super::{Markers, allocation_failed};
+use super::{Data, Markers, allocation_failed};
 use crate::arrays::domains::domain_of;
 use crate::memory::{AllocResult, TryGrow, collected, with_capacity};
 use crate::mesh::{Attribute, Inputs, NONE, Triangulation};
 use crate::options::Criterion;
+use crate::quality::Measures;
 use std::io::{self, Write};
 
 /// Data that the arrays are made of.
@@ -16,7 +16,7 @@ struct Source<'a> {
     inputs: &'a Inputs,
     mesh: &'a Triangulation,
     markers: Markers<'a>,
-    measures: Measures,
+    measures: &'a Measures,
 }
 
 type Array<'a> = DataArray<'a, Source<'a>>;
@@ -26,17 +26,13 @@ pub(super) fn write(
     inputs: &Inputs,
     mesh: &Triangulation,
     markers: Markers<'_>,
-    attributes: &[Attribute],
+    data: &Data<'_>,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    let measures = match mesh.dim {
-        2 => Measures::new::<2>(mesh),
-        _ => Measures::new::<3>(mesh),
-    };
-    let measures = measures.map_err(allocation_failed)?;
-    let source = Source { inputs, mesh, markers, measures };
+    let measures = data.measures_of(mesh)?;
+    let source = Source { inputs, mesh, markers, measures: &measures };
     let own = arrays(mesh).map_err(allocation_failed)?;
-    let added = collected(attributes.iter().map(array_of)).map_err(allocation_failed)?;
+    let added = collected(data.attributes.iter().map(array_of)).map_err(allocation_failed)?;
     let grid = Grid {
         points: mesh.vertex_count(),
         cells: cell_count(mesh),
@@ -437,10 +433,7 @@ mod tests {
             assert_eq!(domains, expected);
             assert!(domains.contains(&0) && domains.contains(&1));
             let aspect = doubles(array_of(&file, "aspect"));
-            let measures = match dim {
-                2 => Measures::new::<2>(triangulation).unwrap(),
-                _ => Measures::new::<3>(triangulation).unwrap(),
-            };
+            let measures = Measures::of(triangulation).unwrap();
             samples::assert_same_bits(&aspect, &measures.aspect);
             samples::assert_same_bits(
                 &doubles(array_of(&file, "radius_edge")),

@@ -43,7 +43,9 @@ pub(super) fn read(mut lines: Lines<'_>, choice: &Choice, path: Option<&Path>) -
                 continue;
             }
         }
-        refuse_decimal_commas(&line)?;
+        if line.text.contains(',') {
+            refuse_decimal_commas(&line)?;
+        }
         rows.add(&line, index == 0, count.is_some())?;
         index += 1;
     }
@@ -88,6 +90,8 @@ impl Rows<'_> {
         }
         match &mut self.layout {
             Some(layout) => layout.add(line, fields(line)),
+            // Most files have no comma.
+            None if !line.text.contains(',') => self.points.add(line, line.words()),
             None => self.points.add(line, fields(line).enumerate()),
         }
     }

@@ -17,7 +17,7 @@ pub(crate) use buckets::sorted_in_buckets;
 pub use id::Id;
 pub use lists::Lists;
 use pages::prefer_large_pages;
-pub use prefetch::prefetch_at;
+pub use prefetch::{prefetch, prefetch_at};
 pub use sets::Sets;
 use std::collections::{TryReserveError, VecDeque};
 

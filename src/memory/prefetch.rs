@@ -10,6 +10,12 @@ pub fn prefetch_at<T>(values: &[T], first: usize, count: usize) {
     hint(start.wrapping_add(count).cast::<u8>().wrapping_sub(1));
 }
 
+/// Prefetches the cache line where a value begins, if there are so many. Has no other effect.
+#[inline(always)]
+pub fn prefetch<T>(values: &[T], at: usize) {
+    hint(values.as_ptr().wrapping_add(at).cast());
+}
+
 #[cfg(all(target_arch = "x86_64", not(miri)))]
 #[inline(always)]
 #[allow(unsafe_code)]

@@ -2,7 +2,7 @@
 
 use super::{MAX_DIM, MIN_DIM, NONE};
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::memory::{AllocError, AllocResult, TryGrow, copied, filled, with_capacity};
+use crate::memory::{AllocError, AllocResult, TryGrow, copied, filled, prefetch, with_capacity};
 
 /// Fails unless all coordinates of points, one after the other, are finite.
 pub(crate) fn check_finite(dim: usize, points: &[f64]) -> Result<()> {
@@ -166,6 +166,10 @@ fn no_memory(n: usize, dim: usize) -> Error {
     Error::new(ErrorKind::OutOfMemory, message)
 }
 
+/// Number of points after which one follows whose place in the table is asked for: places are
+/// anywhere in memory.
+const AHEAD: usize = 12;
+
 /// Fills `vertices`, and returns the first input of each distinct point. Zeros of either sign are
 /// equal. Expected O(n), by an open hash table of ids that is at most half full.
 fn identify_duplicates(
@@ -177,7 +181,11 @@ fn identify_duplicates(
     let mut first_input = with_capacity(n)?;
     let mask = (2 * n).next_power_of_two() - 1;
     let mut table: Vec<u32> = filled(mask + 1, NONE)?;
+    let mut later = coordinates.chunks_exact(dim).skip(AHEAD);
     for (i, point) in coordinates.chunks_exact(dim).enumerate() {
+        if let Some(later) = later.next() {
+            prefetch(&table, hash(later) & mask);
+        }
         let mut slot = hash(point) & mask;
         let vertex = loop {
             match table[slot] {

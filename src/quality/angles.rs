@@ -4,6 +4,75 @@ use super::simplex::{Normals, Simplex};
 use crate::memory::AllocResult;
 use crate::mesh::MAX_DIM;
 
+/// Screen before the smallest angle of a simplex: it holds back most simplices whose angles are all
+/// larger than a limit, without a root or a quotient, and none with a smaller one.
+#[derive(Clone, Copy)]
+pub(super) struct Screen {
+    /// The least squared cosine of an angle that passes, if that is not obtuse.
+    squared_cosine: f64,
+}
+
+impl Screen {
+    /// Lets every simplex pass.
+    pub(super) const OPEN: Self = Self { squared_cosine: -1.0 };
+    /// Lets none pass.
+    pub(super) const CLOSED: Self = Self { squared_cosine: f64::INFINITY };
+
+    /// Makes a screen for angles whose half has a tangent with a smaller square.
+    ///
+    /// A squared cosine that is [`Screen::MARGIN`] smaller is of an angle whose square is larger by
+    /// at least as much: far more than what roundings do to tangents and products of normals.
+    pub fn of(squared_tangent: f64) -> Self {
+        match (1.0 - squared_tangent) / (1.0 + squared_tangent) {
+            cosine if cosine > 0.0 => Self { squared_cosine: cosine * cosine - Self::MARGIN },
+            _ => Self::OPEN,
+        }
+    }
+
+    const MARGIN: f64 = 1e-9;
+
+    /// Returns the wider of two screens, which lets pass what either does.
+    pub fn wider(self, other: Self) -> Self {
+        Self { squared_cosine: self.squared_cosine.min(other.squared_cosine) }
+    }
+
+    pub fn is_closed(self) -> bool {
+        self.squared_cosine == f64::INFINITY
+    }
+
+    /// Returns true if two of the facets with these inward normals may be at a smaller angle. No
+    /// product of four components of normals may over- or underflow.
+    #[inline]
+    pub fn passes<const D: usize>(self, normals: &[[f64; D]; D], last: &[f64; D]) -> bool {
+        if self.squared_cosine < 0.0 {
+            return true;
+        }
+        let squares = normals.map(|normal| product(&normal, &normal));
+        let of_last = product(last, last);
+        let mut passes = false;
+        for i in 0..D {
+            let across = |other: &[f64; D], square: f64| {
+                let product = product(&normals[i], other);
+                product < 0.0 && product * product > self.squared_cosine * (squares[i] * square)
+            };
+            passes |= across(last, of_last);
+            for j in i + 1..D {
+                passes |= across(&normals[j], squares[j]);
+            }
+        }
+        passes
+    }
+}
+
+#[inline]
+fn product<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
+    let mut sum = 0.0;
+    for axis in 0..D {
+        sum += a[axis] * b[axis];
+    }
+    sum
+}
+
 /// Returns the squared tangent of half the smallest dihedral angle of the simplex `points`, which
 /// grows with the angle. It is 0 for a flat simplex; [`angle`] is the inverse.
 pub(crate) fn smallest_squared_tangent<const D: usize>(points: &[&[f64; D]]) -> AllocResult<f64> {
@@ -43,6 +112,12 @@ fn visit_squared_tangents<const D: usize>(normals: Option<Normals<D>>, mut visit
 /// Returns the angle in radians whose half has a tangent with this square.
 pub(crate) fn angle(squared_tangent: f64) -> f64 {
     2.0 * squared_tangent.sqrt().atan()
+}
+
+/// Returns the squared tangent of half an angle in radians.
+pub(super) fn squared_tangent(angle: f64) -> f64 {
+    let tangent = (0.5 * angle).tan();
+    tangent * tangent
 }
 
 fn unit<const D: usize>(vector: [f64; D]) -> [f64; D] {

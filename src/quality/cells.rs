@@ -7,7 +7,7 @@ use super::length::Length;
 use super::simplex::Simplex;
 use super::tree::DomainTree;
 use super::view::View;
-use crate::memory::{AllocResult, collected, filled, with_capacity};
+use crate::memory::{AllocResult, collected, filled, prefetch, prefetch_at, with_capacity};
 use crate::mesh::{MAX_DIM, NONE};
 use crate::parameters::Parameters;
 use crate::threads::{share, usable};
@@ -23,8 +23,12 @@ pub(crate) const PIECE: usize = 1 << 14;
 /// Largest number of threads of a survey: each has radii of all cells.
 const MOST_THREADS: usize = 8;
 
-/// Radii of the cell of a vertex.
+/// Number of simplices after which one is surveyed whose vertices are asked for.
+const AHEAD: usize = 8;
+
+/// Radii of the cell of a vertex, in one cache line.
 #[derive(Clone, Copy)]
+#[repr(align(32))]
 struct Cell {
     /// Distance to the nearest Delaunay neighbour: twice the in-radius.
     nearest: Length,
@@ -114,8 +118,9 @@ impl Cells {
         states: &mut [S],
         visit: impl Fn(&mut S, &SimplexCell<'_, D>) -> AllocResult<()> + Sync,
     ) -> AllocResult<Self> {
-        let limits = limits(view, slack)?;
+        let reaches = reaches(view, slack)?;
         let most_climbs = view.simplex_count().saturating_mul(CLIMBS_PER_SIMPLEX);
+        let ground = Ground { view, tree, reaches: &reaches, most_climbs };
         let threads = usable(view.mesh.parameters.threads).min(states.len()).min(MOST_THREADS);
         let empty = || Self::empty(view.vertex_count(), view.mesh.domains.len());
         let mut parts = with_capacity(threads.max(1))?;
@@ -124,10 +129,12 @@ impl Cells {
             parts.push(empty()?);
         }
         let work = pieces(view.simplex_count()).zip(states);
-        share(work, &mut parts, |cells, (mut piece, state)| {
-            piece.try_for_each(|simplex| {
-                cells.enter(view, simplex, tree, &limits, most_climbs, |cell| visit(state, cell))
-            })
+        share(work, &mut parts, |cells, (piece, state)| {
+            for simplex in piece {
+                cells.ask_for(view, simplex + AHEAD);
+                cells.enter(&ground, simplex, |cell| visit(state, cell))?;
+            }
+            Ok(())
         })?;
         let mut whole = parts.swap_remove(0);
         parts.iter().for_each(|part| whole.merge(part));
@@ -144,16 +151,27 @@ impl Cells {
         Self::survey(view, tree, 1.0, &mut states, |_, _| Ok(()))
     }
 
+    /// Asks for what [`Self::enter`] needs of a simplex: its vertices may be anywhere in memory.
+    #[inline]
+    fn ask_for<const D: usize>(&self, view: View<'_, D>, simplex: usize) {
+        let first = simplex * View::<D>::VERTICES;
+        let vertices = view.mesh.simplices.get(first..first + View::<D>::VERTICES);
+        for &vertex in vertices.unwrap_or_default() {
+            let vertex = vertex as usize;
+            prefetch_at(&view.mesh.points, vertex * D, D);
+            prefetch(&self.cells, vertex);
+            prefetch(&view.mesh.vertex_domains, vertex);
+        }
+    }
+
     #[inline]
     fn enter<const D: usize>(
         &mut self,
-        view: View<'_, D>,
+        ground: &Ground<'_, D>,
         simplex: usize,
-        tree: Option<&DomainTree>,
-        limits: &[Length],
-        most_climbs: usize,
         visit: impl FnOnce(&SimplexCell<'_, D>) -> AllocResult<()>,
     ) -> AllocResult<()> {
+        let view = ground.view;
         let vertices = view.simplex(simplex);
         let points = &view.points_of(vertices)[..View::<D>::VERTICES];
         let shape = Simplex::new(points);
@@ -163,14 +181,14 @@ impl Cells {
         }
         let labels = &labels[..View::<D>::VERTICES];
         let corner = shape.corner()?;
-        let star = Labelled { view, vertices, labels, points, corner, limits };
-        let counts = self.add_vertices(&star, shape.nearest(), tree.is_some());
+        let star = Labelled { ground, vertices, labels, points, corner: corner.as_ref() };
+        let counts = self.add_vertices(&star, shape.nearest());
         let is_of_one = labels.iter().all(|label| *label == labels[0]);
-        if let Some(tree) = tree.filter(|_| !is_of_one) {
-            self.add_cages(&star, tree, most_climbs);
+        if let Some(tree) = ground.tree.filter(|_| !is_of_one) {
+            self.add_cages(&star, tree);
         }
         let ratio = |corner: &Corner<D>| corner.radius.ratio(corner.shortest_edge);
-        let radius_edge = star.corner.as_ref().map_or(f64::INFINITY, ratio);
+        let radius_edge = corner.as_ref().map_or(f64::INFINITY, ratio);
         let domain = if is_of_one { labels[0] } else { NONE };
         visit(&SimplexCell { simplex, shape: &shape, radius_edge, counts, domain })
     }
@@ -239,13 +257,9 @@ impl Cells {
     /// Enters one simplex into the cells of its vertices, given the distance of each to the nearest
     /// other one; returns whether its corner counts in all.
     #[inline]
-    fn add_vertices<const D: usize>(
-        &mut self,
-        star: &Labelled<'_, D>,
-        nearest: &[Length],
-        restricted: bool,
-    ) -> bool {
-        let radius = star.corner.as_ref().map_or(Length::INFINITE, |corner| corner.radius);
+    fn add_vertices<const D: usize>(&mut self, star: &Labelled<'_, D>, nearest: &[Length]) -> bool {
+        let restricted = star.ground.tree.is_some();
+        let radius = star.corner.map_or(Length::INFINITE, |corner| corner.radius);
         let (mut last, mut last_counts, mut all_count) = (NONE, true, true);
         for (i, (&v, &label)) in star.vertices.iter().zip(star.labels).enumerate() {
             if restricted && label != last {
@@ -264,19 +278,14 @@ impl Cells {
     ///
     /// The nearest vertex outside a ball is seen so: the Delaunay graph is connected within every
     /// ball, so that vertex has a neighbour among the vertices inside.
-    fn add_cages<const D: usize>(
-        &mut self,
-        star: &Labelled<'_, D>,
-        tree: &DomainTree,
-        most_climbs: usize,
-    ) {
+    fn add_cages<const D: usize>(&mut self, star: &Labelled<'_, D>, tree: &DomainTree) {
         for (i, &label) in star.labels.iter().enumerate() {
             let mut domain = label;
             if star.labels[..i].contains(&domain) {
                 continue;
             }
             while star.labels.iter().any(|&label| !tree.holds(domain, label)) {
-                if self.climbs > most_climbs {
+                if self.climbs > star.ground.most_climbs {
                     return;
                 }
                 self.climbs += 1;
@@ -288,14 +297,13 @@ impl Cells {
 
     fn add_cage<const D: usize>(&mut self, star: &Labelled<'_, D>, tree: &DomainTree, domain: u32) {
         let cage = &mut self.cages[domain as usize];
-        let center = star.view.point(star.view.mesh.domains[domain as usize].center);
+        let center = &star.ground.reaches[domain as usize].center;
         for (point, &label) in star.points.iter().zip(star.labels) {
             if !tree.holds(domain, label) {
                 cage.nearest = cage.nearest.min(Length::between(point, center));
             }
         }
-        let corner = star.corner.as_ref();
-        let reach = corner.map_or(Length::INFINITE, |c| c.distance(star.points, center));
+        let reach = star.corner.map_or(Length::INFINITE, |c| c.distance(star.points, center));
         cage.farthest_anywhere = cage.farthest_anywhere.max(reach);
         if star.counts_in(tree.parent(domain)) {
             cage.farthest = cage.farthest.max(reach);
@@ -303,33 +311,68 @@ impl Cells {
     }
 }
 
+/// Mesh of a survey, and what it needs to know beside the simplices.
+struct Ground<'a, const D: usize> {
+    view: View<'a, D>,
+    tree: Option<&'a DomainTree>,
+    reaches: &'a [Reach<D>],
+    most_climbs: usize,
+}
+
+/// Ball round the centre of a domain in which corners count.
+struct Reach<const D: usize> {
+    center: [f64; D],
+    radius: Length,
+    /// Squared distances between which only [`Length`] tells whether they are below the radius.
+    unsure: [f64; 2],
+}
+
+impl<const D: usize> Reach<D> {
+    fn new(center: [f64; D], radius: Length) -> Self {
+        /// Far more than the roundings of a square, a root and a length.
+        const MARGIN: f64 = 1e-14;
+        let squared = radius.to_f64() * radius.to_f64();
+        let unsure = match Length::SQUARES.contains(&squared) {
+            true => [squared * (1.0 - MARGIN), squared * (1.0 + MARGIN)],
+            false => [0.0, f64::INFINITY],
+        };
+        Self { center, radius, unsure }
+    }
+}
+
 /// One simplex with the domains of its vertices and its corner.
 struct Labelled<'a, const D: usize> {
-    view: View<'a, D>,
+    ground: &'a Ground<'a, D>,
     vertices: &'a [u32],
     labels: &'a [u32],
     points: &'a [&'a [f64; D]],
-    corner: Option<Corner<D>>,
-    limits: &'a [Length],
+    corner: Option<&'a Corner<D>>,
 }
 
 impl<const D: usize> Labelled<'_, D> {
     /// Returns true if the Voronoi corner counts for cells of `domain`. The corner of a flat
     /// simplex always counts.
+    #[inline]
     fn counts_in(&self, domain: u32) -> bool {
-        let Some(corner) = &self.corner else {
+        let Some(corner) = self.corner else {
             return true;
         };
-        let center = self.view.point(self.view.mesh.domains[domain as usize].center);
-        corner.distance(self.points, center) < self.limits[domain as usize]
+        let Reach { center, radius, unsure: [least, most] } = &self.ground.reaches[domain as usize];
+        let squared = corner.squared_distance(self.points, center);
+        match Length::SQUARES.contains(&squared) && !(*least..=*most).contains(&squared) {
+            true => squared < *least,
+            false => corner.distance(self.points, center) < *radius,
+        }
     }
 }
 
-/// Returns for each domain the distance from its centre within which corners count.
-fn limits<const D: usize>(view: View<'_, D>, slack: f64) -> AllocResult<Vec<Length>> {
+/// Returns for each domain the ball in which corners count.
+fn reaches<const D: usize>(view: View<'_, D>, slack: f64) -> AllocResult<Vec<Reach<D>>> {
     let parameters = &view.mesh.parameters;
     let factor = corner_restriction(parameters) * parameters.cage_scale * slack;
-    collected(view.mesh.domains.iter().map(|domain| Length::new(domain.radius).times(factor)))
+    collected(view.mesh.domains.iter().map(|domain| {
+        Reach::new(*view.point(domain.center), Length::new(domain.radius).times(factor))
+    }))
 }
 
 /// Returns the fraction of the radius of a domain's cage sphere within which corners count. The
@@ -338,4 +381,48 @@ fn limits<const D: usize>(view: View<'_, D>, slack: f64) -> AllocResult<Vec<Leng
 fn corner_restriction(parameters: &Parameters) -> f64 {
     const LARGEST: f64 = 0.85;
     LARGEST.min(1.0 - 0.5 * parameters.delta * parameters.delta)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::Domain;
+    use crate::options::Options;
+    use crate::quality::tests::meshed;
+
+    /// Holds that squares tell what lengths do, at distances that roundings cannot tell from the
+    /// limit too, at any scale.
+    #[test]
+    fn corners_count_by_squares_as_by_lengths() {
+        let mut mesh = meshed(3, 20, &Options::default());
+        let tree = DomainTree::new(&mesh.domains).unwrap().unwrap();
+        let mut answers = [0; 2];
+        for scale in [1e-170, 1e-30, 1.0, 1e140] {
+            let points = [[0.0; 3], [1.0, 0.1, 0.0], [0.2, 1.0, 0.0], [0.3, 0.1, 1.0]];
+            let points = points.map(|point| point.map(|x| x * scale));
+            let points: Vec<&[f64; 3]> = points.iter().collect();
+            let corner = Corner::new(&points).unwrap().unwrap();
+            let center = [5.0, 4.0, 3.0].map(|x| x * scale);
+            mesh.points[..3].copy_from_slice(&center);
+            let distance = corner.distance(&points, &center);
+            for steps in -40..=40 {
+                let factor = 1.0 + f64::from(steps) * f64::EPSILON;
+                let limit = distance.times(factor);
+                mesh.domains = vec![Domain { center: 0, parent: NONE, radius: 1.0 }];
+                let reaches = [Reach::new(center, limit)];
+                let view = View::<3> { mesh: &mesh };
+                let ground = Ground { view, tree: Some(&tree), reaches: &reaches, most_climbs: 0 };
+                let star = Labelled {
+                    ground: &ground,
+                    vertices: &[0, 1, 2, 3],
+                    labels: &[0; 4],
+                    points: &points,
+                    corner: Some(&corner),
+                };
+                assert_eq!(star.counts_in(0), distance < limit, "{scale} {steps}");
+                answers[usize::from(distance < limit)] += 1;
+            }
+        }
+        assert!(answers.iter().all(|&count| count > 100), "{answers:?}");
+    }
 }

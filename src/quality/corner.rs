@@ -29,15 +29,27 @@ impl<const D: usize> Corner<D> {
     /// Returns the distance of the corner from `point`; `points` are those given to
     /// [`Corner::new`].
     pub fn distance(&self, points: &[&[f64; D]], point: &[f64; D]) -> Length {
-        let base = points[self.base];
-        if self.center.exponent == 0 {
-            let across = |axis: usize| base[axis] - point[axis] + self.center.vector[axis];
-            let squared = (0..D).map(|axis| across(axis) * across(axis)).sum::<f64>();
-            if Length::SQUARES.contains(&squared) {
-                return Length::new(squared.sqrt());
-            }
+        let squared = self.squared_distance(points, point);
+        match Length::SQUARES.contains(&squared) {
+            true => Length::new(squared.sqrt()),
+            false => Offset::between(points[self.base], point).plus(&self.center).length(),
         }
-        Offset::between(base, point).plus(&self.center).length()
+    }
+
+    /// Returns the squared distance of the corner from `point` if it is in [`Length::SQUARES`] and
+    /// simple to tell; what is not in there otherwise.
+    #[inline]
+    pub(super) fn squared_distance(&self, points: &[&[f64; D]], point: &[f64; D]) -> f64 {
+        if self.center.exponent != 0 {
+            return 0.0;
+        }
+        let base = points[self.base];
+        let mut squared = 0.0;
+        for axis in 0..D {
+            let across = base[axis] - point[axis] + self.center.vector[axis];
+            squared += across * across;
+        }
+        squared
     }
 }
 

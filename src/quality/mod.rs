@@ -5,20 +5,23 @@
 pub(crate) mod angles;
 pub(crate) mod cells;
 pub(crate) mod corner;
+mod degrees;
 pub(crate) mod exact;
 mod histogram;
 pub(crate) mod length;
 pub(crate) mod rational;
 pub(crate) mod simplex;
+mod simplices;
 pub(crate) mod slivers;
 pub(crate) mod tree;
 pub(crate) mod view;
 
 use crate::error::Result;
-use crate::memory::{AllocResult, collected, copied, filled};
+use crate::memory::{AllocResult, collected, filled, with_capacity};
 use crate::mesh::{NONE, Triangulation, in_dimension};
-use crate::options::Extent;
-use cells::{Cells, SimplexCell, pieces};
+use cells::{Cells, pieces};
+use degrees::max_degree;
+use simplices::{Measured, SimplexMeasures};
 use tree::DomainTree;
 use view::View;
 
@@ -85,6 +88,29 @@ pub struct Quality {
 /// The builder compares rounded radii; so do measures and the certificate, with other roundings.
 pub(crate) const SLACK: f64 = 1e-7;
 
+/// The quality of a mesh, and the measures of simplices and vertices that it tells the worst of.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Measures {
+    pub quality: Quality,
+    /// Simplex -> circumradius over shortest edge; infinite where no double is large enough.
+    pub radius_edge: Vec<f64>,
+    /// Vertex -> aspect of its Voronoi cell over all corners; NaN on the hull and for the vertices
+    /// of a cage. Cells of a cage span the empty region around it, so their aspects would take up
+    /// the whole range of a colour map.
+    pub aspect: Vec<f64>,
+}
+
+impl Measures {
+    /// Measures `triangulation` as [`measure`] does, at the same cost; all is empty and zero for a
+    /// triangulation whose arrays do not fit together.
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn of(triangulation: &Triangulation) -> Result<Self> {
+        measured(triangulation, true)
+    }
+}
+
 /// Measures `triangulation`. A triangulation whose arrays do not fit together, or whose ids are
 /// out of range, answers all zeros: [`crate::validate::validate`] says what is wrong with it.
 ///
@@ -93,33 +119,59 @@ pub(crate) const SLACK: f64 = 1e-7;
 /// # Errors
 /// `OutOfMemory`.
 pub fn measure(triangulation: &Triangulation) -> Result<Quality> {
-    if !is_consistent(triangulation) {
-        return Ok(Quality::default());
-    }
-    let quality = in_dimension!(
-        triangulation.dim,
-        D => measure_in::<D>(triangulation),
-        _ => Ok(Quality::default())
-    );
-    Ok(quality?)
+    Ok(measured(triangulation, false)?.quality)
 }
 
-fn measure_in<const D: usize>(mesh: &Triangulation) -> AllocResult<Quality> {
+/// Measures a mesh; with arrays of measures if they are wanted.
+fn measured(triangulation: &Triangulation, with_arrays: bool) -> Result<Measures> {
+    if !is_consistent(triangulation) {
+        return Ok(Measures::default());
+    }
+    let measures = in_dimension!(
+        triangulation.dim,
+        D => measure_in::<D>(triangulation, with_arrays),
+        _ => Ok(Measures::default())
+    );
+    Ok(measures?)
+}
+
+/// Measures of a piece of the simplices.
+struct Piece<'a> {
+    figures: SimplexMeasures,
+    /// The first of its simplices.
+    first: usize,
+    /// Place for the ratios of its simplices; empty if nobody wants them.
+    radius_edge: &'a mut [f64],
+}
+
+fn measure_in<const D: usize>(mesh: &Triangulation, with_arrays: bool) -> AllocResult<Measures> {
     let view = View::<D> { mesh };
-    let on_hull = view.hull_vertices()?;
-    let at_cage = vertices_at_cage::<D>(mesh, &on_hull)?;
+    let hull_facets = view.hull_facets()?;
+    let on_hull = collected(hull_facets.iter().map(|&facets| facets > 0))?;
     let tree = DomainTree::new(&mesh.domains)?;
-    let mut parts = filled(pieces(view.simplex_count()).len(), SimplexMeasures::default())?;
-    let cells = Cells::survey(view, tree.as_ref(), 1.0, &mut parts, |measures, cell| {
-        measures.add(view, cell, &at_cage)
+    let mut radius_edge = filled(if with_arrays { mesh.simplex_count() } else { 0 }, 0.0)?;
+    let mut left = &mut *radius_edge;
+    let parts = pieces(view.simplex_count()).map(|piece| {
+        let own = if with_arrays { piece.len() } else { 0 };
+        let (radius_edge, others) = std::mem::take(&mut left).split_at_mut(own);
+        left = others;
+        Piece { figures: SimplexMeasures::default(), first: piece.start, radius_edge }
+    });
+    let mut parts = collected(parts)?;
+    let measured = Measured::new(view, &on_hull)?;
+    let cells = Cells::survey(view, tree.as_ref(), 1.0, &mut parts, |piece, cell| {
+        if let Some(place) = piece.radius_edge.get_mut(cell.simplex - piece.first) {
+            *place = cell.radius_edge;
+        }
+        piece.figures.add(&measured, cell)
     })?;
     let mut simplices = SimplexMeasures::default();
-    parts.iter().for_each(|part| simplices.merge(part));
+    parts.iter().for_each(|part| simplices.merge(&part.figures));
     let limited = (0..mesh.precision_limited.len())
         .filter(|&v| mesh.precision_limited[v] && cells.has_cell(v))
         .count();
     let mut quality = Quality {
-        max_degree: max_degree(view, &cells, &on_hull)?,
+        max_degree: max_degree(view, &cells, &hull_facets)?,
         worst_cage_aspect: worst_cage_aspect(mesh, &cells)?,
         worst_radius_edge: simplices.radius_edge,
         min_angle_degrees: simplices.angle.degrees(),
@@ -133,124 +185,39 @@ fn measure_in<const D: usize>(mesh: &Triangulation) -> AllocResult<Quality> {
         flat: simplices.flat,
         ..Quality::default()
     };
-    add_aspects(&mut quality, mesh, &cells, &on_hull);
-    Ok(quality)
-}
-
-/// Figures over the simplices off the hull or of a cropped domain, less forced and flat ones; and
-/// over those.
-#[derive(Clone, Default)]
-struct SimplexMeasures {
-    radius_edge: f64,
-    angle: LeastAngle,
-    forced: u64,
-    forced_angle: LeastAngle,
-    below_min_angle: u64,
-    /// Simplices with a smaller dihedral angle than was asked for: those of several domains, those
-    /// of one.
-    below_min_dihedral: [u64; 2],
-    flat: u64,
-}
-
-/// The smallest of angles, by the squared tangent of half of it.
-#[derive(Clone, Copy)]
-struct LeastAngle(f64);
-
-impl Default for LeastAngle {
-    fn default() -> Self {
-        Self(f64::INFINITY)
-    }
-}
-
-impl LeastAngle {
-    fn add(&mut self, squared_tangent: f64) {
-        self.0 = self.0.min(squared_tangent);
-    }
-
-    /// Returns the smallest angle in degrees, or 0 if there was none.
-    fn degrees(&self) -> f64 {
-        if self.0.is_infinite() { 0.0 } else { angles::angle(self.0).to_degrees() }
-    }
-}
-
-impl SimplexMeasures {
-    fn add<const D: usize>(
-        &mut self,
-        view: View<'_, D>,
-        cell: &SimplexCell<'_, D>,
-        at_cage: &[bool],
-    ) -> AllocResult<()> {
-        let vertices = view.simplex(cell.simplex);
-        let boundary = &view.mesh.boundary;
-        if boundary.flat.binary_search(&(cell.simplex as u32)).is_ok() {
-            self.flat += 1;
-            return Ok(());
+    let mut aspect = with_capacity(if with_arrays { mesh.vertex_count() } else { 0 })?;
+    add_aspects(&mut quality, mesh, &cells, &on_hull, |anywhere| {
+        if with_arrays {
+            aspect.push(anywhere);
         }
-        let parameters = &view.mesh.parameters;
-        let is_forced = boundary.forced.binary_search(&(cell.simplex as u32)).is_ok();
-        let is_at_cage = |&v: &u32| at_cage.get(v as usize).is_some_and(|&at_cage| at_cage);
-        let counts = !is_forced && !vertices.iter().any(is_at_cage);
-        if is_forced || counts || parameters.min_dihedral > 0.0 {
-            let tangent = cell.shape.smallest_squared_tangent()?;
-            if is_forced {
-                self.forced_angle.add(tangent);
-            }
-            if counts {
-                self.angle.add(tangent);
-            }
-            if slivers::is_below(tangent, parameters.min_dihedral) {
-                let is_of_one = cell.domain != NONE || view.mesh.domains.is_empty();
-                self.below_min_dihedral[usize::from(is_of_one)] += 1;
-            }
-        }
-        self.forced += u64::from(is_forced);
-        // A triangle's smallest angle is below the one that is asked for if its ratio is above.
-        let is_above = cell.radius_edge > parameters.quality_bound * (1.0 + SLACK);
-        self.below_min_angle += u64::from(parameters.min_angle > 0.0 && is_above && !is_forced);
-        if counts {
-            self.radius_edge = self.radius_edge.max(cell.radius_edge);
-        }
-        Ok(())
-    }
-
-    /// Takes the figures of other simplices into account.
-    fn merge(&mut self, other: &Self) {
-        self.radius_edge = self.radius_edge.max(other.radius_edge);
-        self.angle.add(other.angle.0);
-        self.forced += other.forced;
-        self.forced_angle.add(other.forced_angle.0);
-        self.below_min_angle += other.below_min_angle;
-        for (count, more) in self.below_min_dihedral.iter_mut().zip(other.below_min_dihedral) {
-            *count += more;
-        }
-        self.flat += other.flat;
-    }
+    });
+    Ok(Measures { quality, radius_edge, aspect })
 }
 
-/// Returns which vertices are on the outer cage, whose simplices are not measured: those on the
-/// hull of a mesh that reaches to the cage, holes or not. None if the mesh is cropped to a domain.
-fn vertices_at_cage<const D: usize>(
+/// Adds the aspects of cells to the quality, and calls `visit` with that of each vertex over all
+/// corners; NaN for what has none, or none that tells anything.
+fn add_aspects(
+    quality: &mut Quality,
     mesh: &Triangulation,
+    cells: &Cells,
     on_hull: &[bool],
-) -> AllocResult<Vec<bool>> {
-    match &mesh.boundary.whole {
-        None => copied(on_hull),
-        Some(whole) if mesh.parameters.extent == Extent::All => {
-            View::<D> { mesh: whole }.hull_vertices()
-        }
-        Some(_) => Ok(Vec::new()),
-    }
-}
-
-fn add_aspects(quality: &mut Quality, mesh: &Triangulation, cells: &Cells, on_hull: &[bool]) {
+    mut visit: impl FnMut(f64),
+) {
     let (mut sum, mut count) = (0.0, 0u64);
     for (i, domain) in mesh.domains.iter().enumerate().skip(1) {
         let anywhere = cells.cage_aspect_anywhere(i, domain.radius);
         quality.worst_aspect_anywhere = quality.worst_aspect_anywhere.max(anywhere);
     }
-    let is_measured = |&v: &usize| !on_hull[v] && mesh.cage_of[v] == NONE && cells.has_cell(v);
-    for v in (0..on_hull.len()).filter(is_measured) {
+    for (v, &on_hull) in on_hull.iter().enumerate() {
+        if on_hull || mesh.cage_of[v] != NONE {
+            visit(f64::NAN);
+            continue;
+        }
         let anywhere = cells.aspect_anywhere(v);
+        visit(anywhere);
+        if !cells.has_cell(v) {
+            continue;
+        }
         quality.worst_aspect_anywhere = quality.worst_aspect_anywhere.max(anywhere);
         if !mesh.precision_limited[v] {
             let aspect = cells.aspect(v);
@@ -284,66 +251,13 @@ pub(crate) fn precision_limited_cages(mesh: &Triangulation) -> AllocResult<Vec<b
     Ok(limited)
 }
 
-/// Returns the largest number of distinct vertices that share a simplex with one vertex.
-/// O(simplices).
-///
-/// Triangles and tetrahedra round a vertex off the hull tell by their number how many neighbours it
-/// has, as the faces of a closed curve or sphere do. At others neighbours are counted, unless they
-/// must be fewer.
-fn max_degree<const D: usize>(
-    view: View<'_, D>,
-    cells: &Cells,
-    on_hull: &[bool],
-) -> AllocResult<u32> {
-    let told = |v: usize| degree_inside::<D>(cells, on_hull, v);
-    let inside = (0..view.vertex_count()).filter_map(told).max().unwrap_or(0);
-    let may_have_more = |v: usize| told(v).is_none() && cells.simplices_at(v) * D > inside;
-    let counted = collected((0..view.vertex_count()).map(may_have_more))?;
-    let inside = inside as u32;
-    match counted.contains(&true) {
-        true => Ok(inside.max(max_counted_degree(view, &counted)?)),
-        false => Ok(inside),
-    }
-}
-
-/// Returns the number of neighbours of a vertex off the hull; `None` where it must be counted.
-fn degree_inside<const D: usize>(cells: &Cells, on_hull: &[bool], v: usize) -> Option<usize> {
-    match (D, cells.simplices_at(v)) {
-        _ if on_hull[v] => None,
-        (2, simplices) => Some(simplices),
-        // Triangles of a sphere are even in number, twice its vertices less four.
-        (3, simplices) if simplices > 0 && simplices % 2 == 0 => Some(simplices / 2 + 2),
-        _ => None,
-    }
-}
-
-/// Returns the same of the vertices that are `counted`, by their stars.
-fn max_counted_degree<const D: usize>(view: View<'_, D>, counted: &[bool]) -> AllocResult<u32> {
-    let stars = view.stars_of(|v| counted[v as usize])?;
-    let mut seen_from = filled(view.vertex_count(), NONE)?;
-    let mut largest = 0;
-    for v in (0..view.vertex_count()).filter(|&v| counted[v]) {
-        // So that it does not count itself.
-        seen_from[v] = v as u32;
-        let mut degree = 0;
-        for &s in stars.of(v) {
-            for &w in view.simplex(s as usize) {
-                degree += u32::from(seen_from[w as usize] != v as u32);
-                seen_from[w as usize] = v as u32;
-            }
-        }
-        largest = largest.max(degree);
-    }
-    Ok(largest)
-}
-
 /// Returns true if array lengths fit and ids are in range, so that reading cannot go astray.
 fn is_consistent(mesh: &Triangulation) -> bool {
     let vertices = mesh.kinds.len();
     let size = mesh.dim + 1;
-    let below = |ids: &[u32], end: usize| ids.iter().all(|&id| (id as usize) < end);
-    let below_or_none =
-        |ids: &[u32], end: usize| ids.iter().all(|&id| id == NONE || (id as usize) < end);
+    let below = |ids: &[u32], end: usize| are_below(ids, end, 0);
+    // The number after that of nothing is 0.
+    let below_or_none = |ids: &[u32], end: usize| are_below(ids, end + 1, 1);
     let per_vertex = [mesh.vertex_domains.len(), mesh.cage_of.len(), mesh.precision_limited.len()];
     let labelled = mesh.domains.is_empty() || below(&mesh.vertex_domains, mesh.domains.len());
     mesh.points.len() == vertices * mesh.dim
@@ -357,14 +271,22 @@ fn is_consistent(mesh: &Triangulation) -> bool {
         && mesh.domains.iter().all(|domain| (domain.center as usize) < vertices)
 }
 
+/// Returns true if all ids are below `end` when `added` is added to them (32 bits, round to 0).
+/// Asks for the largest of many at a time, since a comparison of each takes several times as long.
+fn are_below(ids: &[u32], end: usize, added: u32) -> bool {
+    let largest = |ids: &[u32]| ids.iter().fold(0, |most, id| id.wrapping_add(added).max(most));
+    ids.chunks(4096).all(|ids| (largest(ids) as usize) < end)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Mesh;
+    use crate::io::samples;
     use crate::numerics::SplitMix;
-    use crate::options::{Algorithm, Options};
-    use crate::{Mesh, Output};
+    use crate::options::Options;
 
-    fn meshed(dim: usize, count: usize, options: &Options) -> Triangulation {
+    pub fn meshed(dim: usize, count: usize, options: &Options) -> Triangulation {
         let mut random = SplitMix(dim as u64);
         let points: Vec<f64> = (0..dim * count).map(|_| random.unit()).collect();
         let mut mesh = Mesh::new(dim, count, &points, 0).unwrap();
@@ -379,39 +301,78 @@ mod tests {
         assert!(pieces(mesh.simplex_count()).len() > 2);
         let mut on_threads = |threads| {
             mesh.parameters.threads = threads;
-            measure(&mesh).unwrap()
+            // Aspects may be NaN, which is not the same as itself.
+            let Measures { quality, radius_edge, aspect } = Measures::of(&mesh).unwrap();
+            (quality, radius_edge, aspect.iter().map(|aspect| aspect.to_bits()).collect())
         };
-        let one = on_threads(1);
-        assert!(one.worst_cage_aspect >= 0.0 && one.min_angle_degrees > 0.0);
+        let one: (Quality, Vec<f64>, Vec<u64>) = on_threads(1);
+        assert!(one.0.worst_cage_aspect >= 0.0 && one.0.min_angle_degrees > 0.0);
         for threads in [2, 3, 8, 0] {
             assert_eq!(on_threads(threads), one);
+        }
+        assert_eq!(measure(&mesh).unwrap(), one.0);
+        let view = View::<3> { mesh: &mesh };
+        for (simplex, ratio) in one.1.iter().enumerate() {
+            let points = view.points_of(view.simplex(simplex));
+            let corner = corner::Corner::new(&points[..4]).unwrap().unwrap();
+            assert_eq!(*ratio, corner.radius.ratio(corner.shortest_edge), "{simplex}");
         }
     }
 
     #[test]
-    fn degrees_told_by_numbers_of_simplices_are_those_that_are_counted() {
-        let finished = Options { output: Output::WellSpaced, ..Options::default() };
-        let plain = Options { algorithm: Algorithm::Delaunay, ..Options::default() };
-        for options in [Options::default(), finished, plain] {
-            degrees_are_counted::<2>(&meshed(2, 300, &options));
-            degrees_are_counted::<3>(&meshed(3, 300, &options));
-            degrees_are_counted::<4>(&meshed(4, 40, &options));
+    fn arrays_hold_what_the_quality_is_the_worst_of() {
+        for mesh in [samples::finished(2), samples::finished(3)] {
+            let triangulation = mesh.triangulation().unwrap();
+            let Measures { quality, radius_edge, aspect } = Measures::of(triangulation).unwrap();
+            assert_eq!(quality, measure(triangulation).unwrap());
+            assert_eq!(radius_edge.len(), triangulation.simplex_count());
+            assert_eq!(aspect.len(), triangulation.vertex_count());
+            let on_hull = hull_vertices(triangulation);
+            let off_hull =
+                |vertices: &[u32]| vertices.iter().all(|&vertex| !on_hull[vertex as usize]);
+            let simplices = triangulation.simplices.chunks_exact(triangulation.dim + 1);
+            let inside = simplices.zip(&radius_edge).filter(|(v, _)| off_hull(v));
+            let worst = inside.map(|(_, ratio)| *ratio).fold(0.0, f64::max);
+            assert_eq!(worst, quality.worst_radius_edge);
+            // The mesh has one domain and nothing is precision-limited: all other cells count.
+            let cells = aspect.iter().filter(|aspect| !aspect.is_nan());
+            let worst = cells.fold(0.0, |worst: f64, aspect| worst.max(*aspect));
+            assert!(worst > 1.0 && quality.worst_aspect_anywhere == worst, "{worst}");
         }
     }
 
-    fn degrees_are_counted<const D: usize>(mesh: &Triangulation) {
-        let view = View::<D> { mesh };
-        let (cells, on_hull) = (Cells::of(view, None).unwrap(), view.hull_vertices().unwrap());
-        let all = vec![true; mesh.vertex_count()];
-        let counted = max_counted_degree(view, &all).unwrap();
-        assert_eq!(max_degree(view, &cells, &on_hull).unwrap(), counted);
-        for v in 0..mesh.vertex_count() {
-            let mut one = vec![false; mesh.vertex_count()];
-            one[v] = true;
-            let degree = max_counted_degree(view, &one).unwrap();
-            if let Some(told) = degree_inside::<D>(&cells, &on_hull, v) {
-                assert_eq!(told, degree as usize, "{v}");
-            }
+    fn hull_vertices(mesh: &Triangulation) -> Vec<bool> {
+        match mesh.dim {
+            2 => View::<2> { mesh }.hull_vertices().unwrap(),
+            _ => View::<3> { mesh }.hull_vertices().unwrap(),
         }
+    }
+
+    #[test]
+    fn cages_and_the_hull_have_no_aspect() {
+        let mesh = samples::nested(3);
+        let triangulation = mesh.triangulation().unwrap();
+        let measures = Measures::of(triangulation).unwrap();
+        let on_hull = hull_vertices(triangulation);
+        let mut inner_cages = 0;
+        for (vertex, aspect) in measures.aspect.iter().enumerate() {
+            let of_cage = triangulation.cage_of[vertex] != NONE;
+            assert_eq!(aspect.is_nan(), of_cage || on_hull[vertex], "{vertex}");
+            inner_cages += usize::from(of_cage && !on_hull[vertex]);
+        }
+        assert!(inner_cages > 0);
+    }
+
+    #[test]
+    fn ids_are_below_an_end_or_nothing() {
+        for place in [0, 4095, 4096, 9999] {
+            let mut ids = vec![3; 10_000];
+            assert!(are_below(&ids, 4, 0) && !are_below(&ids, 3, 0));
+            ids[place] = NONE;
+            assert!(!are_below(&ids, 4, 0) && are_below(&ids, 5, 1));
+            ids[place] = 4;
+            assert!(!are_below(&ids, 4, 0) && !are_below(&ids, 5, 1));
+        }
+        assert!(are_below(&[], 0, 0) && are_below(&[NONE], 1, 1) && !are_below(&[0], 1, 1));
     }
 }

@@ -60,6 +60,19 @@ impl<'a, const D: usize> View<'a, D> {
     /// Returns for each vertex whether it is on the hull.
     pub fn hull_vertices(self) -> AllocResult<Vec<bool>> {
         let mut on_hull = filled(self.vertex_count(), false)?;
+        self.for_each_at_hull(|vertex| on_hull[vertex as usize] = true);
+        Ok(on_hull)
+    }
+
+    /// Returns for each vertex the number of facets of the hull at it.
+    pub fn hull_facets(self) -> AllocResult<Vec<u32>> {
+        let mut facets = filled(self.vertex_count(), 0)?;
+        self.for_each_at_hull(|vertex| facets[vertex as usize] += 1);
+        Ok(facets)
+    }
+
+    /// Calls `visit` with the vertices of each facet of the hull.
+    fn for_each_at_hull(self, mut visit: impl FnMut(u32)) {
         for s in 0..self.simplex_count() {
             let (vertices, neighbors) = (self.simplex(s), self.neighbors(s));
             if !neighbors.contains(&NONE) {
@@ -67,10 +80,9 @@ impl<'a, const D: usize> View<'a, D> {
             }
             for i in (0..Self::VERTICES).filter(|&i| neighbors[i] == NONE) {
                 for (_, &v) in vertices.iter().enumerate().filter(|&(j, _)| j != i) {
-                    on_hull[v as usize] = true;
+                    visit(v);
                 }
             }
         }
-        Ok(on_hull)
     }
 }

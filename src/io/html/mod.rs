@@ -4,12 +4,12 @@
 mod base64;
 
 use super::picture::{COLOURS, Facts, Frame, Kept, PLAIN, distinct, grouped, smallest_angle};
-use super::{allocation_failed, json};
+use super::{Data, allocation_failed, json};
 use crate::arrays::domains::domain_of;
-use crate::io::measures::Measures;
 use crate::io::outer::outer_triangles;
 use crate::memory::{AllocResult, TryGrow, collected, filled};
 use crate::mesh::{Attribute, NONE, Triangulation};
+use crate::quality::Measures;
 use std::io::{self, Write};
 
 /// Page with names between double braces where its parts belong.
@@ -32,11 +32,13 @@ const LIMIT_IN_SPACE: usize = 400_000;
 pub(super) fn write(
     mesh: &Triangulation,
     facet_markers: &[i32],
-    attributes: &[Attribute],
+    data: &Data<'_>,
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let limit = if mesh.dim == 2 { LIMIT_IN_PLANE } else { LIMIT_IN_SPACE };
-    let page = Page::new(mesh, facet_markers, attributes, limit).map_err(allocation_failed)?;
+    let measures = data.measures_of(mesh)?;
+    let page = Page::new(mesh, facet_markers, data.attributes, &measures, limit);
+    let page = page.map_err(allocation_failed)?;
     page.write(out)
 }
 
@@ -47,7 +49,7 @@ struct Page<'a> {
     attributes: &'a [Attribute],
     facts: Facts<'a>,
     frame: Frame,
-    measures: Measures,
+    measures: &'a Measures,
     cells: Kept,
     /// Outer triangles of tetrahedra that are left out, of which so many are drawn.
     skin: Kept,
@@ -63,6 +65,7 @@ impl<'a> Page<'a> {
         mesh: &'a Triangulation,
         facet_markers: &'a [i32],
         attributes: &'a [Attribute],
+        measures: &'a Measures,
         limit: usize,
     ) -> AllocResult<Self> {
         let cells = Kept::new(mesh.simplex_count(), limit);
@@ -71,12 +74,9 @@ impl<'a> Page<'a> {
             mesh,
             facet_markers: if has_markers { facet_markers } else { &[] },
             attributes,
-            facts: Facts::new(mesh)?,
+            facts: Facts::new(mesh, &measures.quality)?,
             frame: Frame::new(mesh),
-            measures: match mesh.dim {
-                2 => Measures::new::<2>(mesh)?,
-                _ => Measures::new::<3>(mesh)?,
-            },
+            measures,
             cells,
             skin: Kept::new(bare_triangles(mesh, cells).count(), limit),
             segments: Kept::new(mesh.boundary.subsegments.len(), limit),

@@ -15,10 +15,9 @@ fn page(mesh: &Mesh, attributes: &[Attribute]) -> String {
 fn thinned(mesh: &Mesh, limit: usize) -> String {
     let mut page = Vec::new();
     let markers = Markers::of(mesh).facets;
-    Page::new(mesh.triangulation().unwrap(), markers, &[], limit)
-        .unwrap()
-        .write(&mut page)
-        .unwrap();
+    let mesh = mesh.triangulation().unwrap();
+    let measures = Measures::of(mesh).unwrap();
+    Page::new(mesh, markers, &[], &measures, limit).unwrap().write(&mut page).unwrap();
     String::from_utf8(page).unwrap()
 }
 
@@ -118,7 +117,7 @@ fn measures_are_those_of_the_mesh() {
     let told =
         format!("Smallest dihedral angle {} degrees", crate::io::picture::figure(bounds.least));
     assert!(page.contains(&told));
-    let measures = Measures::new::<3>(triangulation).unwrap();
+    let measures = Measures::of(triangulation).unwrap();
     let ratios: Vec<f32> = measures.radius_edge.iter().map(|ratio| *ratio as f32).collect();
     assert_eq!(singles(values(json, "radius-edge ratio")), ratios);
     let aspects = singles(values(json, "aspect of Voronoi cells"));

@@ -5,9 +5,11 @@
 //!
 //! - `rounds`: the order of the inputs.
 //! - `plane`: edges that flip; `space`: cavities.
+//! - `bits`: coordinates of which doubles make exact determinants.
 //! - `ties`: which of the triangulations of points on one sphere is made.
 //! - `output`: the arrays of the result.
 
+mod bits;
 mod output;
 mod plane;
 mod rounds;

@@ -33,9 +33,8 @@ pub(super) fn triangulate(
     stats: &mut Stats,
 ) -> Result<Simplices> {
     let mut plain = Plain::new(points, counterclockwise(first, points))?;
-    let mut inserted = first.len();
     stats.passes = rounds.len() as u64;
-    for vertex in rounds.into_iter().flatten() {
+    for (inserted, vertex) in (first.len()..).zip(rounds.into_iter().flatten()) {
         if watch.is_due(8) {
             let done = inserted as f64 / points.len() as f64;
             let simplices = plain.triangles.count() as u64;
@@ -43,7 +42,6 @@ pub(super) fn triangulate(
             watch.report()?;
         }
         plain.insert(vertex)?;
-        inserted += 1;
     }
     plain.count_into(stats);
     finite(&plain.triangles, watch)

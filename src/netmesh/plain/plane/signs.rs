@@ -1,6 +1,7 @@
 //! The sides of lines and circles that points are on: a filter in doubles first, and exact signs
 //! where it cannot tell.
 
+use super::super::bits::bits;
 use crate::numerics::{Sign, in_ball_with_care, orientation, orientation_exact};
 
 type Point = [f64; 2];
@@ -23,12 +24,22 @@ pub(super) fn counterclockwise([a, b, c]: [u32; 3], points: &[Point]) -> [u32; 3
 pub(super) struct Signs {
     /// True where no coordinate is so large or small that expansions of doubles fail.
     are_moderate: bool,
+    /// True where doubles are exact, since coordinates have so few bits.
+    are_lines_exact: bool,
+    are_circles_exact: bool,
     pub fallbacks: u64,
 }
 
 impl Signs {
     pub fn new(points: &[Point]) -> Self {
-        Self { are_moderate: points.iter().flatten().all(|x| is_moderate(*x)), fallbacks: 0 }
+        let bits = bits(points.as_flattened());
+        Self {
+            are_moderate: points.iter().flatten().all(|x| is_moderate(*x)),
+            // Differences have one bit more, and sums of 2 and of 12 products one and four.
+            are_lines_exact: 2 * (bits + 1) < f64::MANTISSA_DIGITS,
+            are_circles_exact: 4 * (bits + 1) + 4 <= f64::MANTISSA_DIGITS,
+            fallbacks: 0,
+        }
     }
 
     /// Returns the side of the line from `a` to `b` that `c` is on: positive on the left.
@@ -42,6 +53,7 @@ impl Signs {
         match determinant.abs() > bound {
             true if determinant > 0.0 => Sign::Positive,
             true => Sign::Negative,
+            false if self.are_lines_exact => Sign::of(determinant),
             false => self.turn_with_care(a, b, c),
         }
     }
@@ -60,6 +72,7 @@ impl Signs {
         // False if anything is NaN.
         match determinant.abs() > bound {
             true => determinant > 0.0,
+            false if self.are_circles_exact => determinant > 0.0,
             false => self.is_in_circle_with_care([a, b, c], q),
         }
     }
@@ -110,6 +123,34 @@ fn in_circle(a: &Point, b: &Point, c: &Point, q: &Point) -> (f64, f64) {
 mod tests {
     use super::*;
     use crate::numerics::testing::{FAMILIES, Random, in_ball_oracle, orientation_oracle, points};
+
+    /// Integers of as many bits as doubles are trusted with, and of one more.
+    #[test]
+    fn signs_of_integers_are_exact_up_to_their_bits() {
+        let kinds = [
+            ((1 << 11) - 1, [true, true]),
+            (1 << 11, [true, false]),
+            ((1 << 25) - 1, [true, false]),
+            (1 << 25, [false, false]),
+        ];
+        for (most, are_exact) in kinds {
+            let mut random = Random(most as u64);
+            for _ in 0..4000 {
+                let mut far =
+                    || (most - random.integer(0, 3)) as f64 * random.integer(-1, 1) as f64;
+                let given = [0; 4].map(|_| [far(), far()]);
+                let [a, b, c, q] = given;
+                let mut signs = Signs::new(&[a, b, c, q, [most as f64, 1.0]]);
+                assert_eq!([signs.are_lines_exact, signs.are_circles_exact], are_exact);
+                let turn = orientation_oracle(&[&a, &b, &c]);
+                assert_eq!(signs.turn(&a, &b, &c), turn, "{given:?}");
+                if turn == Sign::Positive {
+                    let inside = in_ball_oracle(&[&a, &b, &c], &q) == Sign::Positive;
+                    assert_eq!(signs.is_in_circle([&a, &b, &c], &q), inside, "{given:?}");
+                }
+            }
+        }
+    }
 
     #[test]
     fn signs_are_those_of_integers_at_every_scale() {

@@ -158,8 +158,7 @@ impl<'a> Inserter<'a> {
             let (corners, twins) = (record.corners(), record.twins());
             reserve(&mut self.cavity, 4)?;
             reserve(&mut self.rim, 4)?;
-            for place in 0..4 {
-                let outside = twins[place];
+            for (place, outside) in twins.into_iter().enumerate() {
                 let other = tetrahedra.at(outside / 4);
                 if other.is_dead() {
                     continue;

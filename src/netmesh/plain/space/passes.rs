@@ -16,7 +16,8 @@ const FEW: usize = 1 << 12;
 /// Places that are set aside for each point of a part.
 const PLACES: usize = 8;
 
-/// Points of a part that are tried as the first one; the others are as near to its faces.
+/// Points of a part at which threads try to begin. They are from all of it: the first ones on the
+/// curve may all be near a side.
 const TRIES: usize = 64;
 
 /// Units of work of the watch that an insertion is.
@@ -123,7 +124,7 @@ impl<'a> Passes<'a> {
 
     /// Returns one that inserts in the region of a part, if a tetrahedron is found to begin at.
     fn begun_in(&mut self, part: &Part) -> Result<Option<Inserter<'a>>> {
-        for &vertex in part.pending.iter().take(TRIES) {
+        for &vertex in part.pending.iter().step_by(part.pending.len() / TRIES + 1) {
             let found = self.inserter.locate(&self.tetrahedra, vertex);
             let start = found.filter(|&found| self.tetrahedra.has_finite_corners(found));
             let Some(start) = start else { continue };

@@ -45,7 +45,7 @@ pub(super) fn triangulate(
         passes.insert(round, watch)?;
     }
     passes.count_into(stats);
-    passes.tetrahedra.sorted(points.len(), watch)
+    passes.tetrahedra.sorted(points.len(), threads, watch)
 }
 
 /// Returns four corners with positive orientation.

@@ -150,7 +150,7 @@ impl<'a> Passes<'a> {
 
     fn report(&self, watch: &mut Watch<'_, '_>) -> Result<()> {
         let done = self.inserted as f64 / self.points.len() as f64;
-        let simplices = self.tetrahedra.count() - self.inserter.room.size();
+        let simplices = self.tetrahedra.all().len() - self.inserter.room.size();
         let counts = [self.inserted, self.inserted, simplices].map(|count| count as u64);
         watch.note(Phase::Insert, done, counts);
         watch.report()

@@ -53,9 +53,8 @@ impl Room {
     /// Takes ranges and parts of them with so many places, or all that there are.
     pub fn split(&mut self, mut count: usize) -> AllocResult<Self> {
         let mut part = Self::default();
-        while count > 0
-            && let Some(range) = self.ranges.last_mut()
-        {
+        while count > 0 {
+            let Some(range) = self.ranges.last_mut() else { break };
             let taken = range.start..range.end.min(range.start + count as u32);
             range.start = taken.end;
             if range.start == range.end {

@@ -3,48 +3,82 @@
 use super::super::output::Simplices;
 use super::tetrahedra::{INFINITE, Record, Tetrahedra};
 use crate::error::Result;
-use crate::memory::{TryGrow, filled, prefetch_at, with_capacity};
+use crate::memory::{AllocResult, TryGrow, collected, filled, prefetch_at};
 use crate::mesh::NONE;
 use crate::netmesh::state::watch::Watch;
+use crate::netmesh::state::workers::on_threads;
+use std::mem::take;
+use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
 /// Tetrahedra that are fetched while others are sorted.
 const AHEAD: usize = 16;
 
+/// Vertices whose tetrahedra a thread sorts in one go.
+const PIECE: usize = 1 << 11;
+
 impl Tetrahedra {
     /// Returns the finite tetrahedra, sorted by their corners, of which the least comes first and
     /// the least of the others second.
-    pub fn sorted(&self, vertices: usize, watch: &mut Watch<'_, '_>) -> Result<Simplices> {
-        let of_least = self.by_least_corner(vertices, watch)?;
-        let count = of_least.tetrahedra.len();
-        let mut numbers = filled(self.count(), NONE)?;
-        let (mut simplices, mut neighbors) = (with_capacity(4 * count)?, with_capacity(4 * count)?);
+    pub fn sorted(
+        &self,
+        vertices: usize,
+        threads: usize,
+        watch: &mut Watch<'_, '_>,
+    ) -> Result<Simplices> {
+        let lists = self.by_least_corner(vertices, watch)?;
+        let rows = 4 * lists.tetrahedra.len();
+        let numbers = collected((0..self.all().len()).map(|_| AtomicU32::new(NONE)))?;
+        let (mut simplices, mut neighbors) = (filled(rows, 0)?, filled(rows, 0)?);
+        let pieces = Pieces {
+            begin: 0,
+            lists: &lists,
+            simplices: &mut simplices,
+            neighbors: &mut neighbors,
+        };
+        on_threads(threads, watch, pieces, |piece| self.sort_lists(&lists, piece, &numbers))?;
+        on_threads(threads, watch, neighbors.chunks_mut(PIECE), |twins| {
+            let number = |twin: u32| numbers[(twin / 4) as usize].load(Relaxed);
+            twins.iter_mut().for_each(|twin| *twin = number(*twin));
+            Ok(())
+        })?;
+        Ok(Simplices { vertices: simplices, neighbors })
+    }
+
+    /// Sorts the tetrahedra of some vertices, and writes their corners, the faces that are twins
+    /// of theirs, and their numbers.
+    fn sort_lists(
+        &self,
+        lists: &Lists,
+        piece: Piece<'_>,
+        numbers: &[AtomicU32],
+    ) -> AllocResult<()> {
+        let (simplices, neighbors) =
+            (piece.simplices.chunks_exact_mut(4), piece.neighbors.chunks_exact_mut(4));
+        let mut rows = simplices.zip(neighbors).zip(lists.starts[piece.begin]..);
         let mut own = Vec::new();
-        for ends in of_least.starts.windows(2) {
-            watch.poll_after(1)?;
+        for ends in lists.starts[piece.begin..=piece.end].windows(2) {
             own.clear();
             for at in ends[0] as usize..ends[1] as usize {
-                if let Some(&later) = of_least.tetrahedra.get(at + AHEAD) {
+                if let Some(&later) = lists.tetrahedra.get(at + AHEAD) {
                     prefetch_at(self.all(), later as usize, 1);
                 }
-                let tetrahedron = of_least.tetrahedra[at];
-                let record = self.at(tetrahedron);
-                let (corners, twins) = (record.corners(), record.twins());
-                let order = order(&corners);
-                let row = |of: [u32; 4]| order.map(|place| of[place]);
-                own.try_push((row(corners), row(twins), tetrahedron))?;
+                let tetrahedron = lists.tetrahedra[at];
+                let corners = self.corners(tetrahedron);
+                let [_, second, third, _] = order(&corners).map(|place| corners[place]);
+                // A face has one tetrahedron on the side from which its corners turn left.
+                own.try_push((u64::from(second) << 32 | u64::from(third), tetrahedron))?;
             }
             own.sort_unstable();
-            for ((corners, twins, tetrahedron), number) in own.iter().zip(ends[0]..) {
-                numbers[*tetrahedron as usize] = number;
-                simplices.extend(corners);
-                neighbors.extend(twins);
+            for (&(_, tetrahedron), ((simplex, twins), number)) in own.iter().zip(&mut rows) {
+                let record = self.at(tetrahedron);
+                let (corners, faces) = (record.corners(), record.twins());
+                let order = order(&corners);
+                simplex.copy_from_slice(&order.map(|place| corners[place]));
+                twins.copy_from_slice(&order.map(|place| faces[place]));
+                numbers[tetrahedron as usize].store(number, Relaxed);
             }
         }
-        for neighbor in &mut neighbors {
-            watch.poll_after(1)?;
-            *neighbor = numbers[(*neighbor / 4) as usize];
-        }
-        Ok(Simplices { vertices: simplices, neighbors })
+        Ok(())
     }
 
     /// Returns the finite tetrahedra by their least corners.
@@ -86,6 +120,43 @@ fn least_corner(record: &Record) -> Option<u32> {
 struct Lists {
     starts: Vec<u32>,
     tetrahedra: Vec<u32>,
+}
+
+/// Lists of some vertices, and the rows of their tetrahedra in the result.
+struct Piece<'a> {
+    begin: usize,
+    end: usize,
+    simplices: &'a mut [u32],
+    neighbors: &'a mut [u32],
+}
+
+/// Pieces of the lists from some vertex on, with the rows that are left.
+struct Pieces<'a> {
+    begin: usize,
+    lists: &'a Lists,
+    simplices: &'a mut [u32],
+    neighbors: &'a mut [u32],
+}
+
+impl<'a> Iterator for Pieces<'a> {
+    type Item = Piece<'a>;
+
+    fn next(&mut self) -> Option<Piece<'a>> {
+        let (begin, starts) = (self.begin, &self.lists.starts);
+        let end = (begin + PIECE).min(starts.len() - 1);
+        if begin == end {
+            return None;
+        }
+        let rows = 4 * (starts[end] - starts[begin]) as usize;
+        let split = |left: &mut &'a mut [u32]| {
+            let (own, rest) = take(left).split_at_mut(rows);
+            *left = rest;
+            own
+        };
+        self.begin = end;
+        let (simplices, neighbors) = (split(&mut self.simplices), split(&mut self.neighbors));
+        Some(Piece { begin, end, simplices, neighbors })
+    }
 }
 
 /// Returns an even permutation of the places: that of the least corner, that of the least of the

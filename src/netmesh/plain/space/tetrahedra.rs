@@ -111,11 +111,6 @@ impl Tetrahedra {
         self.join(4 * one + alone(&a, &b), 4 * other + alone(&b, &a));
     }
 
-    /// Returns the number of tetrahedra with the dead ones.
-    pub fn count(&self) -> usize {
-        self.records.len()
-    }
-
     /// Adds dead tetrahedra, at least so many.
     pub fn grow(&mut self, least: usize) -> AllocResult<Range<u32>> {
         let begin = self.records.len();

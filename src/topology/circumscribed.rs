@@ -57,11 +57,11 @@ pub(super) fn ball<const K: usize, const D: usize>(
 ) -> AllocResult<Option<Ball>> {
     let points = &points[..=K];
     let (mut negative, mut radius) = (None, None);
-    if let Some(edges) = Edges::<K, D>::new(points)
-        && let Some(center) = edges.center()
-    {
-        negative = center.negative();
-        radius = edges.radius(&center, wanted);
+    if let Some(edges) = Edges::<K, D>::new(points) {
+        if let Some(center) = edges.center() {
+            negative = center.negative();
+            radius = edges.radius(&center, wanted);
+        }
     }
     if negative.is_none() {
         negative = exact::negative_coordinates(points)?;

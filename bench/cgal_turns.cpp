@@ -45,13 +45,13 @@ Medians compare_with_cgal(unsigned dim, std::size_t n, int turns, const std::str
         ours.push_back(stats.seconds);
         theirs.push_back(cgal.seconds);
         ratios.push_back(stats.seconds / cgal.seconds);
-        std::printf("%6d %10zu %10.3f %10.3f %8.2f\n", turn, cgal.vertices, ours.back(), theirs.back(),
+        std::printf("%6d %10zu %10.6f %10.6f %8.2f\n", turn, cgal.vertices, ours.back(), theirs.back(),
                     ratios.back());
         std::fflush(stdout);
     }
     nm_mesh_free(mesh);
     const Medians medians{distribution, dim, n, vertex_count, median(ours), median(theirs), median(ratios)};
-    std::printf("%6s %10s %10.3f %10.3f %8.2f\n\n", "median", "", medians.ours, medians.theirs, medians.ratio);
+    std::printf("%6s %10s %10.6f %10.6f %8.2f\n\n", "median", "", medians.ours, medians.theirs, medians.ratio);
     return medians;
 }
 

@@ -2,6 +2,7 @@
 
     draw.py experiments FOLDER [OUT]    from the tables in FOLDER, which bench/experiments/run.sh writes
     draw.py times TIMES.csv OUT.svg     from what `mesh_times` and triangle_times.py print
+    draw.py triangulations TIMES.csv OUT.svg    from what triangulation_times.py prints
     draw.py solid OUT.svg MESH.node NX NY NZ OFFSET CAPTION [MESH.node ...]
                                         meshes of TetGen's files, cut open by planes
 
@@ -29,7 +30,11 @@ def main(words):
         case ["times", times, out]:
             import speed
 
-            speed.draw(times, out)
+            speed.draw_meshes(times, out)
+        case ["triangulations", times, out]:
+            import speed
+
+            speed.draw_triangulations(times, out)
         case ["solid", out, *rest] if rest and len(rest) % 6 == 0:
             import solid
 

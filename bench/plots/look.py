@@ -50,6 +50,7 @@ COLORS = {
     "CGAL Delaunay": "#7f8c8d",
     "Triangle": "#cc79a7",
     "TetGen": "#8a6d00",
+    "SciPy": "#d55e00",
 }
 MARKERS = "os^Dvp"
 

@@ -10,8 +10,8 @@ use crate::netmesh::state::watch::Watch;
 use crate::netmesh::state::workers::{Tick, on_threads_with_ticks};
 use crate::options::Phase;
 
-/// Least number of points that threads share: what they leave to each other grows less than they.
-const FEW: usize = 1 << 12;
+/// Least number of points for each thread: those that reach out of its part are more in small ones.
+const FEW: usize = 1 << 11;
 
 /// Places that are set aside for each point of a part.
 const PLACES: usize = 8;
@@ -54,7 +54,7 @@ impl<'a> Passes<'a> {
         let mut pending = round;
         for axis in 0..3 {
             let before = pending.len();
-            if self.threads == 1 || before < FEW {
+            if self.threads == 1 || before < FEW * self.threads {
                 break;
             }
             pending = self.insert_in_parts(pending, axis, watch)?;

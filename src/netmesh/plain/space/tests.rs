@@ -160,3 +160,26 @@ fn a_run_is_watched_and_cancelled() {
         assert!(last < 1.0, "{last}");
     }
 }
+
+/// Returns the simplices by the coordinates of their corners, and those sorted.
+fn by_coordinates(points: &[[f64; 3]]) -> Vec<[[f64; 3]; 4]> {
+    let made = plain(&inputs(points), 0, 1);
+    let corners = |simplex: &[u32]| {
+        let mut corners = [0, 1, 2, 3].map(|at| points[simplex[at] as usize]);
+        corners.sort_by(|a, b| a.partial_cmp(b).unwrap());
+        corners
+    };
+    let mut simplices: Vec<_> = made.simplices.chunks_exact(4).map(corners).collect();
+    simplices.sort_by(|a, b| a.partial_cmp(b).unwrap());
+    simplices
+}
+
+#[test]
+fn the_order_of_inputs_does_not_count() {
+    for mut points in [grid(7, 1.0), cospherical(), uniform(500, 9)] {
+        let expected = by_coordinates(&points);
+        points.reverse();
+        points.rotate_left(17);
+        assert!(by_coordinates(&points) == expected);
+    }
+}

@@ -14,6 +14,8 @@ mod output;
 mod plane;
 mod rounds;
 mod space;
+#[cfg(test)]
+mod testing;
 mod ties;
 
 use crate::error::{Error, ErrorKind, Result, message};

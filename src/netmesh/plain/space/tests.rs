@@ -1,26 +1,10 @@
-use crate::error::ErrorKind;
-use crate::mesh::{Inputs, NONE, Triangulation};
+use super::super::testing::{
+    assert_certified, assert_hard_points_are_certified, assert_rank_is_refused, assert_watched,
+    inputs, options, plain, uniform,
+};
+use crate::mesh::NONE;
 use crate::netmesh::run;
-use crate::numerics::testing::{FAMILIES, Random, points};
-use crate::options::{Algorithm, NetOrdering, Options, Progress};
-use crate::validate::validate;
-
-fn inputs(points: &[[f64; 3]]) -> Inputs {
-    Inputs::new(3, points.len(), points.as_flattened(), 0).unwrap()
-}
-
-fn options(seed: u64, threads: u32) -> Options {
-    Options { algorithm: Algorithm::Delaunay, seed, threads, ..Options::default() }
-}
-
-fn plain(inputs: &Inputs, seed: u64, threads: u32) -> Triangulation {
-    run(inputs, None, &options(seed, threads), None).unwrap()
-}
-
-fn uniform(count: usize, seed: u64) -> Vec<[f64; 3]> {
-    let mut random = Random(seed);
-    (0..count).map(|_| [0, 1, 2].map(|_| random.unit())).collect()
-}
+use crate::options::{NetOrdering, Options};
 
 fn grid(side: i32, scale: f64) -> Vec<[f64; 3]> {
     (0..side * side * side)
@@ -41,31 +25,9 @@ fn cospherical() -> Vec<[f64; 3]> {
     found
 }
 
-#[track_caller]
-fn assert_certified(points: &[[f64; 3]], seed: u64) -> Triangulation {
-    let inputs = inputs(points);
-    let made = plain(&inputs, seed, 1);
-    let report = validate(&inputs, &made, 3).unwrap();
-    assert_eq!((report.violations, report.level), (0, 3), "{:?}", report.first);
-    made
-}
-
 #[test]
 fn hard_points_are_certified() {
-    for family in FAMILIES {
-        for trial in 0..30 {
-            let mut random = Random(1000 * family as u64 + trial);
-            let given = points::<3>(family, 4 + 5 * trial as usize, &mut random);
-            let distinct = inputs(&given);
-            match run(&distinct, None, &options(trial, 1), None) {
-                Ok(made) => {
-                    let report = validate(&distinct, &made, 3).unwrap();
-                    assert_eq!((report.violations, report.level), (0, 3), "{family:?} {trial}");
-                }
-                Err(error) => assert_eq!(error.kind(), ErrorKind::DegenerateInput, "{error:?}"),
-            }
-        }
-    }
+    assert_hard_points_are_certified::<3>(150);
 }
 
 #[test]
@@ -114,7 +76,7 @@ fn neither_seed_nor_threads_change_a_byte() {
 
 #[test]
 fn simplices_are_sorted_and_neighbors_are_opposite() {
-    let made = assert_certified(&uniform(2000, 3), 0);
+    let made = assert_certified(&uniform::<3>(2000, 3), 0);
     let neighbors = made.neighbors.chunks_exact(4);
     for (simplex, (corners, neighbors)) in made.simplices.chunks_exact(4).zip(neighbors).enumerate()
     {
@@ -139,26 +101,13 @@ fn instruments_measure_and_leave_the_triangulation_as_it_is() {
 #[test]
 fn points_on_a_plane_are_refused() {
     let points: Vec<[f64; 3]> = (0..9).map(|x| [x, x * x, 2 * x].map(f64::from)).collect();
-    let error = run(&inputs(&points), None, &options(0, 1), None).unwrap_err();
-    let expected =
-        "the points have affine rank 2; a Delaunay triangulation in dimension 3 needs rank 3";
-    assert_eq!((error.kind(), error.message()), (ErrorKind::DegenerateInput, expected));
+    assert_rank_is_refused(&points);
 }
 
 #[test]
 fn a_run_is_watched_and_cancelled() {
-    for threads in [1, 2] {
-        let mut last = 0.0;
-        let mut told = |progress: &Progress| {
-            assert!(progress.fraction >= last);
-            last = progress.fraction;
-            last < 0.3
-        };
-        let inputs = inputs(&uniform(60_000, 4));
-        let error = run(&inputs, None, &options(0, threads), Some(&mut told)).unwrap_err();
-        assert_eq!(error.kind(), ErrorKind::Cancelled);
-        assert!(last < 1.0, "{last}");
-    }
+    assert_watched::<3>(60_000, 1);
+    assert_watched::<3>(60_000, 2);
 }
 
 /// Returns the simplices by the coordinates of their corners, and those sorted.

@@ -65,18 +65,24 @@ impl Links {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numerics::SplitMix;
 
     #[test]
     fn faces_meet_at_edges() {
         let mut links = Links::new();
         for star in [3, 500, 40] {
             links.begin(star).unwrap();
-            let edges = || (0..star as u32).map(|a| (a, u32::MAX - a / 2));
-            for (a, b) in edges() {
-                assert_eq!(links.meet(a, b, a + 7), None);
+            // So many that some begin at the same slot.
+            let mut random = SplitMix(star as u64);
+            let edges: Vec<(u32, u32)> = (0..star)
+                .map(|_| random.next_word())
+                .map(|word| (word as u32, (word >> 32) as u32))
+                .collect();
+            for (&(a, b), face) in edges.iter().zip(7..) {
+                assert_eq!(links.meet(a, b, face), None);
             }
-            for (a, b) in edges() {
-                assert_eq!(links.meet(b, a, 0), Some(a + 7));
+            for (&(a, b), face) in edges.iter().zip(7..) {
+                assert_eq!(links.meet(b, a, 0), Some(face));
             }
         }
     }

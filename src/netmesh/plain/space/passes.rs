@@ -165,3 +165,30 @@ impl<'a> Passes<'a> {
         stats.simplices_created = self.inserter.created;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::testing::{inputs, uniform};
+    use super::*;
+    use crate::netmesh::state::order::by_locality;
+
+    /// Half of the points are in. Those of a part come by their distance from its side, where
+    /// nothing can begin.
+    #[test]
+    fn threads_begin_in_every_part() {
+        const COUNT: u32 = 20_000;
+        let points: Vec<[f64; 3]> = uniform(COUNT as usize, 6);
+        let watch = &mut Watch::new(None);
+        let order = by_locality::<3>(&inputs(&points), 1, watch).unwrap();
+        let points: Vec<[f64; 3]> = order.iter().map(|input| points[input.index()]).collect();
+        let first = super::super::positive([0, 1, 2, 3], &points);
+        let mut passes = Passes::new(&points, first, 1).unwrap();
+        let (half, others) = (4..COUNT).partition(|vertex| vertex % 2 == 0);
+        passes.insert(half, watch).unwrap();
+        for mut part in parts(&points, others, 0, 1).unwrap() {
+            let from_middle = |&vertex: &u32| points[vertex as usize][0].abs();
+            part.pending.sort_by(|a, b| from_middle(a).total_cmp(&from_middle(b)));
+            assert!(passes.begun_in(&part).unwrap().is_some(), "{:?}", part.region);
+        }
+    }
+}

@@ -1,12 +1,15 @@
 //! Coordinates of so few bits, as those of voxels and pixels have, that determinants of them are
 //! exact in doubles.
 
+/// Numbers of magnitudes between these have products of five that neither overflow nor lose
+/// anything that counts.
+pub(super) const SMALL: f64 = 1e-57;
+pub(super) const LARGE: f64 = 1e57;
+
 /// Returns the number of bits of integers that the coordinates are in some unit; more than those of
 /// a double if products of five may overflow or underflow.
 pub(super) fn bits(coordinates: &[f64]) -> u32 {
     const MANY: u32 = u32::MAX / 8;
-    const SMALL: f64 = 1e-57;
-    const LARGE: f64 = 1e57;
     let (mut lowest, mut highest) = (i32::MAX, i32::MIN);
     for x in coordinates.iter().map(|x| x.abs()).filter(|x| *x != 0.0) {
         if !(SMALL..LARGE).contains(&x) {

@@ -1,17 +1,12 @@
 //! The sides of planes and spheres that points are on: a filter in doubles first, and exact signs
 //! where it cannot tell.
 
-use super::super::bits::bits;
+use super::super::bits::{LARGE, SMALL, bits};
 use super::super::ties::counts_as_inside;
 use super::tetrahedra::FACES;
 use crate::numerics::{F64x2, Real, Sign, in_ball_with_care, orientation_exact};
 
 type Point = [f64; 3];
-
-/// Differences of these magnitudes have products of five that neither overflow nor lose anything
-/// that counts.
-const SMALL: f64 = 1e-57;
-const LARGE: f64 = 1e57;
 
 /// Signs of the points of a triangulation, and how many the filters did not tell.
 pub(super) struct Signs<'a> {

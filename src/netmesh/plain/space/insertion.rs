@@ -38,10 +38,8 @@ pub(super) struct Inserter<'a> {
 /// A face between a cavity and what stays.
 #[derive(Clone, Copy)]
 struct RimFace {
-    /// Corners of the tetrahedron of the cavity.
-    corners: [u32; 4],
-    /// The place of the corner opposite.
-    place: usize,
+    /// Corners in the order of [`FACES`] for the tetrahedron of the cavity.
+    corners: [u32; 3],
     outside: Face,
 }
 
@@ -151,6 +149,7 @@ impl<'a> Inserter<'a> {
         self.rim.clear();
         self.cavity.try_push(first)?;
         tetrahedra.at(first).kill();
+        let point = self.points[vertex as usize];
         let mut next = 0;
         while let Some(&tetrahedron) = self.cavity.get(next) {
             next += 1;
@@ -166,16 +165,18 @@ impl<'a> Inserter<'a> {
                 let others = other.corners();
                 let is_in_conflict = match others[3] {
                     INFINITE => self.is_beyond(tetrahedra, other, vertex),
-                    _ => self.signs.is_in_sphere(&others, vertex),
+                    _ => self.signs.is_in_sphere(&others, vertex, &point),
                 };
                 if !is_in_conflict {
-                    self.rim.push(RimFace { corners, place, outside });
+                    let corners = FACES[place].map(|at| corners[at]);
+                    self.rim.push(RimFace { corners, outside });
                     continue;
                 }
                 if !self.is_own(&others) {
                     return Ok(false);
                 }
                 other.kill();
+                tetrahedra.prefetch_neighbors(other);
                 self.cavity.push(outside / 4);
             }
         }
@@ -201,23 +202,18 @@ impl<'a> Inserter<'a> {
     fn fill(&mut self, tetrahedra: &Tetrahedra, vertex: u32) -> AllocResult<()> {
         self.links.begin(self.rim.len())?;
         let mut places = self.cavity.iter();
-        for &RimFace { mut corners, place, outside } in &self.rim {
+        for &RimFace { corners: [a, b, c], outside } in &self.rim {
             let taken = places.next().copied().or_else(|| self.room.take());
             let tetrahedron = taken.expect("there is room for the star");
-            corners[place] = vertex;
-            let record = tetrahedra.at(tetrahedron);
-            record.set(corners);
-            record.join(place, outside);
-            tetrahedra.at(outside / 4).join((outside % 4) as usize, 4 * tetrahedron + place as u32);
-            if corners[3] != INFINITE {
-                self.last = tetrahedron;
-            }
-            let [a, b, c] = FACES[place];
-            for (opposite, [from, to]) in [(a, [b, c]), (b, [c, a]), (c, [a, b])] {
-                let face = 4 * tetrahedron + opposite as u32;
-                if let Some(other) = self.links.meet(corners[from], corners[to], face) {
-                    record.join(opposite, other);
-                    tetrahedra.at(other / 4).join((other % 4) as usize, face);
+            let mut tip = Tip { tetrahedra, links: &mut self.links, tetrahedron, outside };
+            // Even permutations in which the vertex at infinity is the last corner.
+            match INFINITE {
+                _ if a == INFINITE => tip.make::<0>([vertex, c, b, a]),
+                _ if b == INFINITE => tip.make::<1>([c, vertex, a, b]),
+                _ if c == INFINITE => tip.make::<2>([b, a, vertex, c]),
+                _ => {
+                    tip.make::<3>([a, b, c, vertex]);
+                    self.last = tetrahedron;
                 }
             }
         }
@@ -226,5 +222,35 @@ impl<'a> Inserter<'a> {
         }
         self.created += self.rim.len() as u64;
         Ok(())
+    }
+}
+
+/// A tetrahedron of a star in the making.
+struct Tip<'a> {
+    tetrahedra: &'a Tetrahedra,
+    links: &'a mut Links,
+    tetrahedron: u32,
+    /// The face of what stays outside of the star.
+    outside: Face,
+}
+
+impl Tip<'_> {
+    /// Makes it of corners, the one in `PLACE` the vertex of the star, and joins it to what is
+    /// outside and to those of the star that have been made before.
+    #[inline(always)]
+    fn make<const PLACE: usize>(&mut self, corners: [u32; 4]) {
+        let Self { tetrahedra, tetrahedron, outside, .. } = *self;
+        let record = tetrahedra.at(tetrahedron);
+        record.set(corners);
+        record.join(PLACE, outside);
+        tetrahedra.at(outside / 4).join((outside % 4) as usize, 4 * tetrahedron + PLACE as u32);
+        let [a, b, c] = FACES[PLACE];
+        for (opposite, [from, to]) in [(a, [b, c]), (b, [c, a]), (c, [a, b])] {
+            let face = 4 * tetrahedron + opposite as u32;
+            if let Some(other) = self.links.meet(corners[from], corners[to], face) {
+                record.join(opposite, other);
+                tetrahedra.at(other / 4).join((other % 4) as usize, face);
+            }
+        }
     }
 }

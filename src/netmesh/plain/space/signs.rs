@@ -61,13 +61,13 @@ impl<'a> Signs<'a> {
         orientation_exact(&[a, b, c, q])
     }
 
-    /// Returns true if a vertex is inside the sphere through the corners of a positive tetrahedron.
-    /// On the sphere it counts as inside or not by [`counts_as_inside`].
+    /// Returns true if a vertex, at `point`, is inside the sphere through the corners of a positive
+    /// tetrahedron. On the sphere it counts as inside or not by [`counts_as_inside`].
     #[inline(always)]
-    pub fn is_in_sphere(&mut self, corners: &[u32; 4], vertex: u32) -> bool {
+    pub fn is_in_sphere(&mut self, corners: &[u32; 4], vertex: u32, point: &Point) -> bool {
         let [a, b] = [self.at(corners[0]), self.at(corners[1])];
         let [c, d] = [self.at(corners[2]), self.at(corners[3])];
-        let sphere = Sphere::new(a, b, c, d, self.at(vertex));
+        let sphere = Sphere::new(a, b, c, d, point);
         let (determinant, bound) = (sphere.determinant(), sphere.bound());
         match (determinant > bound, determinant < -bound) {
             (true, _) => true,
@@ -274,7 +274,7 @@ mod tests {
         let simplex = corners.map(|at| &points[at as usize]);
         let side = in_ball_oracle(&simplex, q);
         if side != Sign::Zero {
-            let inside = signs.is_in_sphere(&corners, 4);
+            let inside = signs.is_in_sphere(&corners, 4, q);
             assert_eq!(inside, side == Sign::Positive, "{label} {points:?}");
         }
     }

@@ -68,7 +68,7 @@ impl Tetrahedra {
                 // A face has one tetrahedron on the side from which its corners turn left.
                 own.try_push((u64::from(second) << 32 | u64::from(third), tetrahedron))?;
             }
-            own.sort_unstable();
+            own.sort_unstable_by_key(|&(key, _)| key);
             for (&(_, tetrahedron), ((simplex, twins), number)) in own.iter().zip(&mut rows) {
                 let record = self.at(tetrahedron);
                 let (corners, faces) = (record.corners(), record.twins());

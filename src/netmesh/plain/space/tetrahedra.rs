@@ -6,7 +6,7 @@
 //! joined.
 
 use crate::error::Result;
-use crate::memory::{AllocError, AllocResult, reserve, with_capacity};
+use crate::memory::{AllocError, AllocResult, prefetch, reserve, with_capacity};
 use std::ops::Range;
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
@@ -127,6 +127,14 @@ impl Tetrahedra {
     #[inline]
     pub fn at(&self, tetrahedron: u32) -> &Record {
         &self.records[tetrahedron as usize]
+    }
+
+    /// Prefetches the tetrahedra on the other sides of a tetrahedron's faces.
+    #[inline]
+    pub fn prefetch_neighbors(&self, record: &Record) {
+        for twin in record.twins() {
+            prefetch(&self.records, (twin / 4) as usize);
+        }
     }
 
     pub fn all(&self) -> &[Record] {

@@ -17,6 +17,7 @@ pub(crate) use buckets::sorted_in_buckets;
 pub use id::Id;
 pub use lists::Lists;
 use pages::prefer_large_pages;
+pub use pages::{provide, spare_pieces};
 pub use prefetch::{prefetch, prefetch_at};
 pub use sets::Sets;
 use std::collections::{TryReserveError, VecDeque};

@@ -63,23 +63,23 @@ pub(in crate::netmesh) fn triangulate(
         NetOrdering::DeterministicNet => 0,
     };
     let mut stats = Stats::default();
-    let (order, simplices) = match inputs.dim() {
+    let simplices = match inputs.dim() {
         2 => {
-            let (order, points) = ordered::<2>(inputs, threads, watch)?;
-            let first = first_simplex(&points)?;
+            let (order, points) = &ordered::<2>(inputs, threads, watch)?;
+            let first = first_simplex(points)?;
             let rounds = rounds(count, seed, &first)?;
             stats.rounds = rounds.len() as u64;
-            (order, plane::triangulate(&points, first, rounds, watch, &mut stats)?)
+            plane::triangulate(points, order, first, rounds, watch, &mut stats)?
         }
         _ => {
-            let (order, points) = ordered::<3>(inputs, threads, watch)?;
-            let first = first_simplex(&points)?;
+            let (order, points) = &ordered::<3>(inputs, threads, watch)?;
+            let first = first_simplex(points)?;
             let rounds = rounds(count, seed, &first)?;
             stats.rounds = rounds.len() as u64;
-            (order, space::triangulate(&points, first, rounds, threads, watch, &mut stats)?)
+            space::triangulate(points, order, first, rounds, threads, watch, &mut stats)?
         }
     };
-    output::triangulation(inputs, &order, simplices, parameters, stats, (begun, watch))
+    output::triangulation(inputs, simplices, parameters, stats, (begun, watch))
 }
 
 /// Returns the inputs in the order of locality, and their points.

@@ -3,37 +3,30 @@
 use crate::error::Result;
 use crate::memory::{TryGrow, filled, with_capacity};
 use crate::mesh::{Boundary, Inputs, NONE, Stats, Triangulation, VertexKind};
-use crate::netmesh::state::order::InputId;
 use crate::netmesh::state::watch::Watch;
 use crate::options::Phase;
 use crate::parameters::Parameters;
 use std::time::Instant;
 
-/// Finite simplices, by the places of their corners in the order of locality, and their neighbours
-/// opposite these.
+/// Finite simplices, by the inputs at their corners, and their neighbours opposite these.
 pub(super) struct Simplices {
     pub vertices: Vec<u32>,
     pub neighbors: Vec<u32>,
 }
 
-/// Returns the result of a run that began at `begun`. `order`: the input that each vertex is.
+/// Returns the result of a run that began at `begun`.
 pub(super) fn triangulation(
     inputs: &Inputs,
-    order: &[InputId],
     simplices: Simplices,
     parameters: Parameters,
     mut stats: Stats,
     (begun, watch): (Instant, &mut Watch<'_, '_>),
 ) -> Result<Triangulation> {
     let (dim, count) = (inputs.dim(), inputs.distinct());
-    let Simplices { mut vertices, neighbors } = simplices;
+    let Simplices { vertices, neighbors } = simplices;
     let made = (vertices.len() / (dim + 1)) as u64;
     watch.note(Phase::Export, 1.0, [count as u64, count as u64, made]);
     watch.report()?;
-    for vertex in &mut vertices {
-        watch.poll_after(1)?;
-        *vertex = order[*vertex as usize].index() as u32;
-    }
     let mut points = with_capacity(dim * count)?;
     for input in 0..count {
         watch.poll_after(1)?;

@@ -4,7 +4,7 @@
 
 use crate::complex::SimplexId;
 use crate::error::Result;
-use crate::memory::{AllocResult, TryGrow, collected};
+use crate::memory::{AllocResult, TryGrow, collected, provide, spare_pieces, with_capacity};
 use crate::netmesh::state::watch::{Watch, cancelled};
 use crate::threads::{Pieces, together};
 
@@ -44,6 +44,32 @@ pub(in crate::netmesh) fn on_threads_with_ticks<W: Send, T: Send>(
     let mut done = workers.collect_together(threads, watch)?;
     done.sort_unstable_by_key(|&(at, _)| at);
     Ok(collected(done.into_iter().map(|(_, made)| made))?)
+}
+
+/// Has the system provide the spare memory of a vector on all threads: where one touches it first,
+/// the others wait for it.
+pub(in crate::netmesh) fn provide_spare<T: Send>(
+    threads: usize,
+    watch: &mut Watch<'_, '_>,
+    vec: &mut Vec<T>,
+) -> Result<()> {
+    if threads > 1 {
+        on_threads(threads, watch, spare_pieces(vec), |piece| Ok(provide(piece)))?;
+    }
+    Ok(())
+}
+
+/// Returns a vector of so many values, in memory that all threads have the system provide.
+pub(in crate::netmesh) fn filled_on_threads<T: Send>(
+    threads: usize,
+    watch: &mut Watch<'_, '_>,
+    length: usize,
+    value: impl FnMut() -> T,
+) -> Result<Vec<T>> {
+    let mut vec = with_capacity(length)?;
+    provide_spare(threads, watch, &mut vec)?;
+    vec.resize_with(length, value);
+    Ok(vec)
 }
 
 /// Called after so much work ([`Watch::poll_after`]).

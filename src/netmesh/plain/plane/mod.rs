@@ -15,6 +15,7 @@ use super::output::Simplices;
 use crate::error::Result;
 use crate::memory::{filled, with_capacity};
 use crate::mesh::{NONE, Stats};
+use crate::netmesh::state::order::InputId;
 use crate::netmesh::state::watch::Watch;
 use crate::options::Phase;
 use insertion::Plain;
@@ -24,9 +25,11 @@ use triangles::{INFINITE, Triangle, Triangles, next};
 /// Largest number of points whose edges have ids: some six for each.
 pub(super) const MOST: usize = u32::MAX as usize / 6 - 2;
 
-/// Triangulates points, `first` of which are the corners of a triangle.
+/// Triangulates points, `first` of which are the corners of a triangle. `order`: the input that each
+/// point is.
 pub(super) fn triangulate(
     points: &[[f64; 2]],
+    order: &[InputId],
     first: [u32; 3],
     rounds: Vec<Vec<u32>>,
     watch: &mut Watch<'_, '_>,
@@ -44,11 +47,15 @@ pub(super) fn triangulate(
         plain.insert(vertex)?;
     }
     plain.count_into(stats);
-    finite(&plain.triangles, watch)
+    finite(&plain.triangles, order, watch)
 }
 
 /// Returns the finite triangles.
-fn finite(triangles: &Triangles, watch: &mut Watch<'_, '_>) -> Result<Simplices> {
+fn finite(
+    triangles: &Triangles,
+    order: &[InputId],
+    watch: &mut Watch<'_, '_>,
+) -> Result<Simplices> {
     let mut numbers = filled(triangles.count(), NONE)?;
     let mut finite = 0;
     for (number, triangle) in numbers.iter_mut().zip(triangles.all()) {
@@ -62,7 +69,7 @@ fn finite(triangles: &Triangles, watch: &mut Watch<'_, '_>) -> Result<Simplices>
     for (&number, Triangle { corners, twins }) in numbers.iter().zip(triangles.all()) {
         watch.poll_after(1)?;
         if number != NONE {
-            vertices.extend(corners);
+            vertices.extend(corners.map(|corner| order[corner as usize].index() as u32));
             // The neighbour opposite a corner is beyond the edge after it.
             let opposite = |corner: u32| numbers[(twins[next(corner) as usize] / 3) as usize];
             neighbors.extend([0, 1, 2].map(opposite));

@@ -23,6 +23,7 @@ mod tetrahedra;
 use super::output::Simplices;
 use crate::error::Result;
 use crate::mesh::Stats;
+use crate::netmesh::state::order::InputId;
 use crate::netmesh::state::watch::Watch;
 use crate::numerics::{Sign, orientation};
 use passes::Passes;
@@ -30,9 +31,11 @@ use passes::Passes;
 /// Largest number of points whose faces have ids: some seven tetrahedra of four faces each.
 pub(super) const MOST: usize = u32::MAX as usize / 32;
 
-/// Triangulates points, `first` of which are the corners of a tetrahedron.
+/// Triangulates points, `first` of which are the corners of a tetrahedron. `order`: the input that
+/// each point is.
 pub(super) fn triangulate(
     points: &[[f64; 3]],
+    order: &[InputId],
     first: [u32; 4],
     rounds: Vec<Vec<u32>>,
     threads: usize,
@@ -40,12 +43,12 @@ pub(super) fn triangulate(
     stats: &mut Stats,
 ) -> Result<Simplices> {
     let first = positive(first, points);
-    let mut passes = Passes::new(points, first, threads)?;
+    let mut passes = Passes::new(points, first, threads, watch)?;
     for round in rounds {
         passes.insert(round, watch)?;
     }
     passes.count_into(stats);
-    passes.tetrahedra.sorted(points.len(), threads, watch)
+    passes.tetrahedra.sorted(order, threads, watch)
 }
 
 /// Returns four corners with positive orientation.

@@ -7,14 +7,15 @@ use crate::error::Result;
 use crate::memory::{TryGrow, with_capacity};
 use crate::mesh::Stats;
 use crate::netmesh::state::watch::Watch;
-use crate::netmesh::state::workers::{Tick, on_threads_with_ticks};
+use crate::netmesh::state::workers::{Tick, on_threads_with_ticks, provide_spare};
 use crate::options::Phase;
 
 /// Least number of points for each thread: those that reach out of its part are more in small ones.
 const FEW: usize = 1 << 11;
 
-/// Places that are set aside for each point of a part.
-const PLACES: usize = 8;
+/// Places that are set aside for each point of a part: as many as there is memory for from the
+/// beginning ([`Tetrahedra::new`]), since moving all to more memory is one thread's.
+const PLACES: usize = 7;
 
 /// Points of a part at which threads try to begin. They are from all of it: the first ones on the
 /// curve may all be near a side.
@@ -43,9 +44,15 @@ struct Left<'a> {
 
 impl<'a> Passes<'a> {
     /// Begins with a tetrahedron of positive orientation.
-    pub fn new(points: &'a [[f64; 3]], first: [u32; 4], threads: usize) -> Result<Self> {
+    pub fn new(
+        points: &'a [[f64; 3]],
+        first: [u32; 4],
+        threads: usize,
+        watch: &mut Watch<'_, '_>,
+    ) -> Result<Self> {
         let inserter = Inserter::new(points, 0);
-        let tetrahedra = Tetrahedra::new(first, points.len())?;
+        let mut tetrahedra = Tetrahedra::new(first, points.len())?;
+        provide_spare(threads, watch, tetrahedra.records())?;
         Ok(Self { points, threads, tetrahedra, inserter, inserted: 4, passes: 0 })
     }
 
@@ -168,21 +175,42 @@ impl<'a> Passes<'a> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::super::rounds::rounds;
     use super::super::super::testing::{inputs, uniform};
     use super::*;
     use crate::netmesh::state::order::by_locality;
+
+    /// Returns uniform points in the order of locality, and corners of a tetrahedron.
+    fn ordered(count: usize) -> (Vec<[f64; 3]>, [u32; 4]) {
+        let points: Vec<[f64; 3]> = uniform(count, 6);
+        let order = by_locality::<3>(&inputs(&points), 1, &mut Watch::new(None)).unwrap();
+        let points: Vec<[f64; 3]> = order.iter().map(|input| points[input.index()]).collect();
+        let first = super::super::positive([0, 1, 2, 3], &points);
+        (points, first)
+    }
+
+    #[test]
+    fn tetrahedra_of_uniform_points_stay_where_they_are() {
+        const COUNT: u32 = 40_000;
+        let (points, first) = ordered(COUNT as usize);
+        let watch = &mut Watch::new(None);
+        let mut passes = Passes::new(&points, first, 2, watch).unwrap();
+        let before = passes.tetrahedra.all().as_ptr();
+        for round in rounds(COUNT as usize, 0, &first).unwrap() {
+            passes.insert(round, watch).unwrap();
+        }
+        assert_eq!(passes.inserted, COUNT as usize);
+        assert_eq!(passes.tetrahedra.all().as_ptr(), before);
+    }
 
     /// Half of the points are in. Those of a part come by their distance from its side, where
     /// nothing can begin.
     #[test]
     fn threads_begin_in_every_part() {
         const COUNT: u32 = 20_000;
-        let points: Vec<[f64; 3]> = uniform(COUNT as usize, 6);
+        let (points, first) = ordered(COUNT as usize);
         let watch = &mut Watch::new(None);
-        let order = by_locality::<3>(&inputs(&points), 1, watch).unwrap();
-        let points: Vec<[f64; 3]> = order.iter().map(|input| points[input.index()]).collect();
-        let first = super::super::positive([0, 1, 2, 3], &points);
-        let mut passes = Passes::new(&points, first, 1).unwrap();
+        let mut passes = Passes::new(&points, first, 1, watch).unwrap();
         let (half, others) = (4..COUNT).partition(|vertex| vertex % 2 == 0);
         passes.insert(half, watch).unwrap();
         for mut part in parts(&points, others, 0, 1).unwrap() {

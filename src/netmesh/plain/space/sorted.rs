@@ -3,10 +3,11 @@
 use super::super::output::Simplices;
 use super::tetrahedra::{INFINITE, Record, Tetrahedra};
 use crate::error::Result;
-use crate::memory::{AllocResult, TryGrow, collected, filled, prefetch_at};
+use crate::memory::{AllocResult, TryGrow, filled, prefetch_at};
 use crate::mesh::NONE;
+use crate::netmesh::state::order::InputId;
 use crate::netmesh::state::watch::Watch;
-use crate::netmesh::state::workers::on_threads;
+use crate::netmesh::state::workers::{filled_on_threads, on_threads};
 use std::mem::take;
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
@@ -18,24 +19,28 @@ const PIECE: usize = 1 << 11;
 
 impl Tetrahedra {
     /// Returns the finite tetrahedra, sorted by their corners, of which the least comes first and
-    /// the least of the others second.
+    /// the least of the others second. `order`: the input that each vertex is.
     pub fn sorted(
         &self,
-        vertices: usize,
+        order: &[InputId],
         threads: usize,
         watch: &mut Watch<'_, '_>,
     ) -> Result<Simplices> {
-        let lists = self.by_least_corner(vertices, watch)?;
+        let lists = self.by_least_corner(order.len(), watch)?;
         let rows = 4 * lists.tetrahedra.len();
-        let numbers = collected((0..self.all().len()).map(|_| AtomicU32::new(NONE)))?;
-        let (mut simplices, mut neighbors) = (filled(rows, 0)?, filled(rows, 0)?);
+        let none = || AtomicU32::new(NONE);
+        let numbers = filled_on_threads(threads, watch, self.all().len(), none)?;
+        let mut simplices = filled_on_threads(threads, watch, rows, || 0)?;
+        let mut neighbors = filled_on_threads(threads, watch, rows, || 0)?;
         let pieces = Pieces {
             begin: 0,
             lists: &lists,
             simplices: &mut simplices,
             neighbors: &mut neighbors,
         };
-        on_threads(threads, watch, pieces, |piece| self.sort_lists(&lists, piece, &numbers))?;
+        on_threads(threads, watch, pieces, |piece| {
+            self.sort_lists(&lists, piece, order, &numbers)
+        })?;
         on_threads(threads, watch, neighbors.chunks_mut(PIECE), |twins| {
             let number = |twin: u32| numbers[(twin / 4) as usize].load(Relaxed);
             twins.iter_mut().for_each(|twin| *twin = number(*twin));
@@ -44,12 +49,13 @@ impl Tetrahedra {
         Ok(Simplices { vertices: simplices, neighbors })
     }
 
-    /// Sorts the tetrahedra of some vertices, and writes their corners, the faces that are twins
-    /// of theirs, and their numbers.
+    /// Sorts the tetrahedra of some vertices, and writes the inputs at their corners, the faces that
+    /// are twins of theirs, and their numbers.
     fn sort_lists(
         &self,
         lists: &Lists,
         piece: Piece<'_>,
+        inputs: &[InputId],
         numbers: &[AtomicU32],
     ) -> AllocResult<()> {
         let (simplices, neighbors) =
@@ -73,7 +79,8 @@ impl Tetrahedra {
                 let record = self.at(tetrahedron);
                 let (corners, faces) = (record.corners(), record.twins());
                 let order = order(&corners);
-                simplex.copy_from_slice(&order.map(|place| corners[place]));
+                let input = |place: usize| inputs[corners[place] as usize].index() as u32;
+                simplex.copy_from_slice(&order.map(input));
                 twins.copy_from_slice(&order.map(|place| faces[place]));
                 numbers[tetrahedron as usize].store(number, Relaxed);
             }

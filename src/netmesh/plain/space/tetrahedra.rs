@@ -137,6 +137,11 @@ impl Tetrahedra {
         }
     }
 
+    /// Returns the array of all, with its spare memory.
+    pub fn records(&mut self) -> &mut Vec<Record> {
+        &mut self.records
+    }
+
     pub fn all(&self) -> &[Record] {
         &self.records
     }

@@ -3,6 +3,7 @@
 //! it. To provide pages before they are touched, which threads can share. And to take back free
 //! pages: an allocator keeps those before memory that is in use.
 
+use std::iter;
 use std::mem::MaybeUninit;
 
 /// Size in bytes from which on arrays ask for large pages.
@@ -12,9 +13,6 @@ const LARGE_PAGE: usize = 2 << 20;
 
 /// Size in bytes from which on memory is given back.
 const GIVEN_BACK: usize = 1 << 20;
-
-/// Bytes of spare memory that a thread is to ask for in one go.
-const PROVIDED: usize = 4 << 20;
 
 /// Asks for large pages under the `capacity` of `vec`, if the system has them.
 pub(super) fn prefer_large_pages<T>(vec: &[T], capacity: usize) {
@@ -26,9 +24,14 @@ pub(super) fn prefer_large_pages<T>(vec: &[T], capacity: usize) {
     }
 }
 
-/// Returns the spare memory of a vector in pieces for [`provide`].
+/// Returns the spare memory of a vector in pieces for [`provide`], which end where large pages do:
+/// of two threads that want the same page one works in vain.
 pub fn spare_pieces<T>(vec: &mut Vec<T>) -> impl Iterator<Item = &mut [MaybeUninit<T>]> {
-    vec.spare_capacity_mut().chunks_mut((PROVIDED / size_of::<T>()).max(1))
+    let spare = vec.spare_capacity_mut();
+    let begin = spare.as_ptr() as usize;
+    let first = (begin.next_multiple_of(LARGE_PAGE) - begin) / size_of::<T>();
+    let (first, others) = spare.split_at_mut(first.min(spare.len()));
+    iter::once(first).chain(others.chunks_mut((LARGE_PAGE / size_of::<T>()).max(1)))
 }
 
 /// Has the system provide the pages of `memory` now, and not at the first touch of each. Returns

@@ -73,7 +73,7 @@ fn halved(points: &[[f64; 3]], part: Part, axis: usize) -> AllocResult<[Part; 2]
 
 /// Returns the coordinate that a sample has in its middle.
 fn median(points: &[[f64; 3]], pending: &[u32], axis: usize) -> AllocResult<f64> {
-    const SAMPLE: usize = 1 << 10;
+    const SAMPLE: usize = 1 << 14;
     let step = (pending.len() / SAMPLE).max(1);
     let mut sample = with_capacity(pending.len().div_ceil(step))?;
     sample.extend(pending.iter().step_by(step).map(|&vertex| points[vertex as usize][axis]));

@@ -1,7 +1,7 @@
 //! The plain Delaunay triangulation of the plane and of space. It needs nothing of what a mesh
-//! does, neither D-balls nor conflict lists (§6.1): inputs go in one by one, in rounds that double,
-//! each along a curve, so that a walk from the last one finds the next ("biased randomized
-//! insertion order", Amenta, Choi and Rote 2003).
+//! does, neither D-balls nor conflict lists (§6.1): inputs go in one by one, in rounds that grow
+//! fourfold, each along a curve, so that a walk from the last one finds the next ("biased
+//! randomized insertion order", Amenta, Choi and Rote 2003).
 //!
 //! - `rounds`: the order of the inputs.
 //! - `plane`: edges that flip; `space`: cavities.

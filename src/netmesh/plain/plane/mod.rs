@@ -25,8 +25,8 @@ use triangles::{INFINITE, Triangle, Triangles, next};
 /// Largest number of points whose edges have ids: some six for each.
 pub(super) const MOST: usize = u32::MAX as usize / 6 - 2;
 
-/// Triangulates points, `first` of which are the corners of a triangle. `order`: the input that each
-/// point is.
+/// Triangulates points, `first` of which are the corners of a triangle. `order`: the input
+/// that each point is.
 pub(super) fn triangulate(
     points: &[[f64; 2]],
     order: &[InputId],

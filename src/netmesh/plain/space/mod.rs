@@ -31,8 +31,8 @@ use passes::Passes;
 /// Largest number of points whose faces have ids: some seven tetrahedra of four faces each.
 pub(super) const MOST: usize = u32::MAX as usize / 32;
 
-/// Triangulates points, `first` of which are the corners of a tetrahedron. `order`: the input that
-/// each point is.
+/// Triangulates points, `first` of which are the corners of a tetrahedron. `order`: the input
+/// that each point is.
 pub(super) fn triangulate(
     points: &[[f64; 3]],
     order: &[InputId],

@@ -49,8 +49,8 @@ impl Tetrahedra {
         Ok(Simplices { vertices: simplices, neighbors })
     }
 
-    /// Sorts the tetrahedra of some vertices, and writes the inputs at their corners, the faces that
-    /// are twins of theirs, and their numbers.
+    /// Sorts the tetrahedra of some vertices, and writes the inputs at their corners, the faces
+    /// that are twins of theirs, and their numbers.
     fn sort_lists(
         &self,
         lists: &Lists,

@@ -20,6 +20,7 @@ mod meshing;
 mod numbers;
 mod origins;
 mod output;
+mod outside;
 mod part;
 mod progress;
 mod record;

@@ -38,6 +38,11 @@ pub fn json(summary: &Summary<'_>) -> String {
             "faces": left_out.faces,
             "cells": left_out.cells,
         },
+        "outside": {
+            "points": summary.outside.points,
+            "segment_edges": summary.outside.subsegments,
+            "facet_triangles": summary.outside.subfacets,
+        },
         "with": summary.further.iter().map(further).collect::<Vec<_>>(),
         "repairs": repairs(summary.repairs),
         "options": options(parameters),

@@ -12,6 +12,7 @@ use crate::interruption;
 use crate::merging;
 use crate::origins::{InFiles, Origins};
 use crate::output;
+use crate::outside::Outside;
 use crate::part;
 use crate::progress::Display;
 use crate::record;
@@ -90,6 +91,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             mesh: &mesh,
             inputs: mesh.inputs(),
             left_out: mesh.left_out(),
+            outside: Outside::of(triangulation),
             further: &further,
             repairs: &repairs,
             attributes: mesh.attributes(),

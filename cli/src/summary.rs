@@ -6,6 +6,7 @@ use crate::certificate;
 use crate::histograms::Histograms;
 use crate::input::{self, Further};
 use crate::numbers::{counted, duration, grouped, measure};
+use crate::outside::Outside;
 use crate::part;
 use crate::repairs::Repairs;
 use crate::scan::Found;
@@ -35,6 +36,7 @@ pub struct Summary<'a> {
     pub mesh: &'a Mesh,
     pub inputs: &'a Inputs,
     pub left_out: LeftOut,
+    pub outside: Outside,
     pub further: &'a [Further],
     pub repairs: &'a Repairs,
     pub attributes: &'a [Attribute],
@@ -57,6 +59,7 @@ impl Summary<'_> {
         self.add_task(&mut lines);
         self.add_mesh(&mut lines);
         self.add_facets(&mut lines);
+        self.add_outside(&mut lines);
         self.add_quality(&mut lines);
         self.add_alpha_shape(&mut lines);
         self.add_surface(&mut lines);
@@ -216,6 +219,13 @@ impl Summary<'_> {
         }
         if let Some(told) = part::told(self.arguments, self.mesh) {
             lines.add("", told);
+        }
+    }
+
+    /// Adds what is outside of the domain.
+    fn add_outside(&self, lines: &mut Lines) {
+        if let Some(told) = self.outside.told() {
+            lines.add("outside", told);
         }
     }
 

@@ -459,6 +459,34 @@ fn parts_are_checked_before_the_work() {
     bench.run("square.poly -q -o other.node").assert_success();
 }
 
+/// A surface that encloses nothing, beside one that does, is told, and so is what is in holes.
+#[test]
+fn what_is_outside_of_the_domain_is_told() {
+    let bench = Workbench::new("facets_outside");
+    bench.write("cube.off", CUBE);
+    bench.write("sheet.off", "OFF\n4 2 0\n3 0 0\n4 0 0\n4 1 0.5\n3 1 0\n3 0 1 2\n3 0 2 3\n");
+    let outcome = bench.run("cube.off --with sheet.off --json both.json");
+    outcome.assert_success();
+    let line = "\noutside     4 points, 2 subfacets; no simplex has them\n";
+    assert!(outcome.stdout.contains(line), "{}", outcome.stdout);
+    let record = bench.read("both.json").replace(char::is_whitespace, "");
+    let expected = "\"outside\":{\"points\":4,\"segment_edges\":0,\"facet_triangles\":2}";
+    assert!(record.contains(expected), "{record}");
+    let alone = bench.run("cube.off");
+    assert!(!alone.stdout.contains("outside"), "{}", alone.stdout);
+
+    let square = "4 2 0 0\n1 0 0\n2 9 0\n3 9 9\n4 0 9\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n";
+    let with_hole = square.replace("4 2 0 0\n", "9 2 0 0\n").replace(
+        "4 0 9\n4 0\n",
+        "4 0 9\n5 3 3\n6 6 3\n7 6 6\n8 3 6\n9 4 5\n8 0\n5 5 6\n6 6 7\n7 7 8\n8 8 5\n",
+    );
+    bench.write("hole.poly", &with_hole.replace("\n0\n", "\n1\n1 4 4\n"));
+    let outcome = bench.run("hole.poly");
+    outcome.assert_success();
+    let line = "\noutside     1 point; no simplex has them\n";
+    assert!(outcome.stdout.contains(line), "{}", outcome.stdout);
+}
+
 /// Points alone fill their box or hull; a box of what is flat is refused in the caller's words.
 #[test]
 fn boxes_and_hulls_of_points() {

@@ -207,10 +207,10 @@ impl<'a> Inserter<'a> {
             let tetrahedron = taken.expect("there is room for the star");
             let mut tip = Tip { tetrahedra, links: &mut self.links, tetrahedron, outside };
             // Even permutations in which the vertex at infinity is the last corner.
-            match INFINITE {
-                _ if a == INFINITE => tip.make::<0>([vertex, c, b, a]),
-                _ if b == INFINITE => tip.make::<1>([c, vertex, a, b]),
-                _ if c == INFINITE => tip.make::<2>([b, a, vertex, c]),
+            match [a, b, c].map(|corner| corner == INFINITE) {
+                [true, ..] => tip.make::<0>([vertex, c, b, a]),
+                [_, true, _] => tip.make::<1>([c, vertex, a, b]),
+                [.., true] => tip.make::<2>([b, a, vertex, c]),
                 _ => {
                     tip.make::<3>([a, b, c, vertex]);
                     self.last = tetrahedron;

@@ -3,7 +3,7 @@
 
 use crate::arguments::Arguments;
 use crate::exit_code::{ExitCode, Failure};
-use crate::numbers::counted;
+use crate::numbers::{counted, counted_all};
 use crate::standard;
 use netmesh::io::{Merged, Table};
 use netmesh::{Mesh, merge_points};
@@ -36,14 +36,11 @@ pub fn merge(table: &mut Table, arguments: &Arguments) -> Result<Option<Merged>,
 pub fn told(merged: &Merged, ratio: f64) -> String {
     let Merged { points, triangles, polygons, loops, .. } = merged;
     let corners = counted(*points as u64, "corner", "corners");
-    let gone = [
-        (*triangles, "triangle", "triangles"),
-        (*polygons, "polygon", "polygons"),
-        (*loops, "loop", "loops"),
-    ];
-    let gone = gone.into_iter().filter(|(count, _, _)| *count > 0);
-    let gone: Vec<String> =
-        gone.map(|(count, one, many)| counted(count as u64, one, many)).collect();
+    let gone = counted_all([
+        (*triangles as u64, "triangle", "triangles"),
+        (*polygons as u64, "polygon", "polygons"),
+        (*loops as u64, "loop", "loops"),
+    ]);
     let gone = match gone.is_empty() {
         true => String::new(),
         false => format!(", {} left out", gone.join(" and ")),

@@ -18,6 +18,12 @@ pub fn counted(number: u64, one: &str, many: &str) -> String {
     format!("{} {}", grouped(number), if number == 1 { one } else { many })
 }
 
+/// Writes numbers with their nouns, as [`counted`] does, but those that are 0.
+pub fn counted_all<const N: usize>(numbers: [(u64, &str, &str); N]) -> Vec<String> {
+    let numbers = numbers.into_iter().filter(|(number, _, _)| *number > 0);
+    numbers.map(|(number, one, many)| counted(number, one, many)).collect()
+}
+
 /// Writes a value with four significant digits; scientific where the plain form would be long.
 pub fn measure(value: f64) -> String {
     let magnitude = value.abs();

@@ -1,12 +1,12 @@
 //! Inputs, segments and facets outside of the domain that is meshed: holes have some, and so have
 //! surfaces that enclose nothing.
 
-use crate::numbers::counted;
+use crate::numbers::counted_all;
 use netmesh::mesh::{Boundary, NONE};
 use netmesh::{Triangulation, VertexKind};
 
 /// Numbers of things that no simplex of a mesh has, since its domain ends before them.
-#[derive(Default, PartialEq, Debug)]
+#[derive(Default)]
 pub struct Outside {
     pub points: usize,
     pub subsegments: usize,
@@ -31,18 +31,12 @@ impl Outside {
 
     /// Returns the line of the summary, if there is anything outside.
     pub fn told(&self) -> Option<String> {
-        let parts = [
-            (self.points, "point", "points"),
-            (self.subsegments, "subsegment", "subsegments"),
-            (self.subfacets, "subfacet", "subfacets"),
-        ];
-        let parts = parts.into_iter().filter(|(count, _, _)| *count > 0);
-        let parts: Vec<String> =
-            parts.map(|(count, one, many)| counted(count as u64, one, many)).collect();
-        match parts.is_empty() {
-            true => None,
-            false => Some(format!("{}; no simplex has them", parts.join(", "))),
-        }
+        let parts = counted_all([
+            (self.points as u64, "point", "points"),
+            (self.subsegments as u64, "subsegment", "subsegments"),
+            (self.subfacets as u64, "subfacet", "subfacets"),
+        ]);
+        (!parts.is_empty()).then(|| format!("{}; no simplex has them", parts.join(", ")))
     }
 }
 

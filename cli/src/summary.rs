@@ -5,7 +5,7 @@ use crate::arguments::Arguments;
 use crate::certificate;
 use crate::histograms::Histograms;
 use crate::input::{self, Further};
-use crate::numbers::{counted, duration, grouped, measure};
+use crate::numbers::{counted, counted_all, duration, grouped, measure};
 use crate::outside::Outside;
 use crate::part;
 use crate::repairs::Repairs;
@@ -96,10 +96,11 @@ impl Summary<'_> {
     /// Adds the elements of a mesh or a surface in the file that are not meshed.
     fn add_left_out(&self, lines: &mut Lines) {
         let LeftOut { edges, faces, cells } = self.left_out;
-        let parts = [(edges, "edge", "edges"), (faces, "face", "faces"), (cells, "cell", "cells")];
-        let parts = parts.into_iter().filter(|(count, _, _)| *count > 0);
-        let parts: Vec<String> =
-            parts.map(|(count, one, many)| counted(count, one, many)).collect();
+        let parts = counted_all([
+            (edges, "edge", "edges"),
+            (faces, "face", "faces"),
+            (cells, "cell", "cells"),
+        ]);
         if !parts.is_empty() {
             let rest = match self.arguments.points {
                 true => "--points asks for the points alone",
@@ -201,10 +202,10 @@ impl Summary<'_> {
             true => ("triangle", "triangles"),
             false => ("facet", "facets"),
         };
-        let given = [(facets.count(), one, many), (segments, "segment", "segments")];
-        let given = given.into_iter().filter(|(count, _, _)| *count > 0);
-        let given: Vec<String> =
-            given.map(|(count, one, many)| counted(count as u64, one, many)).collect();
+        let given = counted_all([
+            (facets.count() as u64, one, many),
+            (segments as u64, "segment", "segments"),
+        ]);
         let subfacets = counted(boundary.subfacets.len() as u64, "subfacet", "subfacets");
         let subsegments = counted(boundary.subsegments.len() as u64, "subsegment", "subsegments");
         lines.add("facets", format!("{}; {subfacets}, {subsegments}", given.join(", ")));

@@ -64,40 +64,44 @@ pub(in crate::netmesh) fn triangulate(
     };
     let mut stats = Stats::default();
     let simplices = match inputs.dim() {
-        2 => {
-            let (order, points) = &ordered::<2>(inputs, threads, watch)?;
-            let first = first_simplex(points)?;
-            let rounds = rounds(count, seed, &first)?;
-            stats.rounds = rounds.len() as u64;
-            plane::triangulate(points, order, first, rounds, watch, &mut stats)?
-        }
+        2 => plane::triangulate(ordered(inputs, threads, seed, watch)?, watch, &mut stats)?,
         _ => {
-            let (order, points) = &ordered::<3>(inputs, threads, watch)?;
-            let first = first_simplex(points)?;
-            let rounds = rounds(count, seed, &first)?;
-            stats.rounds = rounds.len() as u64;
-            space::triangulate(points, order, first, rounds, threads, watch, &mut stats)?
+            space::triangulate(ordered(inputs, threads, seed, watch)?, threads, watch, &mut stats)?
         }
     };
     output::triangulation(inputs, simplices, parameters, stats, (begun, watch))
 }
 
-/// Returns the inputs in the order of locality, and their points.
-fn ordered<const D: usize>(
+/// Points in the order of locality. A simplex has `N` corners, one more than dimensions.
+struct Ordered<const D: usize, const N: usize> {
+    points: Vec<[f64; D]>,
+    /// Point -> the input that it is.
+    order: Vec<InputId>,
+    /// Points that are not on one line or plane: the corners of the first simplex.
+    first: [u32; N],
+    /// The others, in the order in which they go in.
+    rounds: Vec<Vec<u32>>,
+}
+
+/// Orders inputs by locality and in rounds.
+fn ordered<const D: usize, const N: usize>(
     inputs: &Inputs,
     threads: usize,
+    seed: u64,
     watch: &mut Watch<'_, '_>,
-) -> Result<(Vec<InputId>, Vec<[f64; D]>)> {
+) -> Result<Ordered<D, N>> {
     let order = by_locality::<D>(inputs, threads, watch)?;
     let mut points = with_capacity(order.len())?;
     for input in &order {
         watch.poll_after(1)?;
         points.push(inputs.distinct_point(input.index()).try_into().expect("inputs have D"));
     }
-    Ok((order, points))
+    let first = first_simplex(&points)?;
+    let rounds = rounds(points.len(), seed, &first)?;
+    Ok(Ordered { points, order, first, rounds })
 }
 
-/// Returns points that are not on one line or plane, `N` of them, one more than dimensions.
+/// Returns points that are not on one line or plane.
 fn first_simplex<const D: usize, const N: usize>(points: &[[f64; D]]) -> Result<[u32; N]> {
     let basis = affine_basis::<D>(points.len(), |at| points[at]);
     let found = collected(basis.iter().map(|&at| at as u32))?;

@@ -11,6 +11,7 @@ mod signs;
 mod tests;
 mod triangles;
 
+use super::Ordered;
 use super::output::Simplices;
 use crate::error::Result;
 use crate::memory::{filled, with_capacity};
@@ -25,18 +26,16 @@ use triangles::{INFINITE, Triangle, Triangles, next};
 /// Largest number of points whose edges have ids: some six for each.
 pub(super) const MOST: usize = u32::MAX as usize / 6 - 2;
 
-/// Triangulates points, `first` of which are the corners of a triangle. `order`: the input
-/// that each point is.
+/// Triangulates points.
 pub(super) fn triangulate(
-    points: &[[f64; 2]],
-    order: &[InputId],
-    first: [u32; 3],
-    rounds: Vec<Vec<u32>>,
+    ordered: Ordered<2, 3>,
     watch: &mut Watch<'_, '_>,
     stats: &mut Stats,
 ) -> Result<Simplices> {
-    let mut plain = Plain::new(points, counterclockwise(first, points))?;
-    stats.passes = rounds.len() as u64;
+    let Ordered { points, order, first, rounds } = ordered;
+    let mut plain = Plain::new(&points, counterclockwise(first, &points))?;
+    stats.rounds = rounds.len() as u64;
+    stats.passes = stats.rounds;
     for (inserted, vertex) in (first.len()..).zip(rounds.into_iter().flatten()) {
         if watch.is_due(8) {
             let done = inserted as f64 / points.len() as f64;
@@ -47,7 +46,7 @@ pub(super) fn triangulate(
         plain.insert(vertex)?;
     }
     plain.count_into(stats);
-    finite(&plain.triangles, order, watch)
+    finite(&plain.triangles, &order, watch)
 }
 
 /// Returns the finite triangles.

@@ -20,10 +20,10 @@ mod sorted;
 mod tests;
 mod tetrahedra;
 
+use super::Ordered;
 use super::output::Simplices;
 use crate::error::Result;
 use crate::mesh::Stats;
-use crate::netmesh::state::order::InputId;
 use crate::netmesh::state::watch::Watch;
 use crate::numerics::{Sign, orientation};
 use passes::Passes;
@@ -31,24 +31,21 @@ use passes::Passes;
 /// Largest number of points whose faces have ids: some seven tetrahedra of four faces each.
 pub(super) const MOST: usize = u32::MAX as usize / 32;
 
-/// Triangulates points, `first` of which are the corners of a tetrahedron. `order`: the input
-/// that each point is.
+/// Triangulates points.
 pub(super) fn triangulate(
-    points: &[[f64; 3]],
-    order: &[InputId],
-    first: [u32; 4],
-    rounds: Vec<Vec<u32>>,
+    ordered: Ordered<3, 4>,
     threads: usize,
     watch: &mut Watch<'_, '_>,
     stats: &mut Stats,
 ) -> Result<Simplices> {
-    let first = positive(first, points);
-    let mut passes = Passes::new(points, first, threads, watch)?;
+    let Ordered { points, order, first, rounds } = ordered;
+    let mut passes = Passes::new(&points, positive(first, &points), threads, watch)?;
+    stats.rounds = rounds.len() as u64;
     for round in rounds {
         passes.insert(round, watch)?;
     }
     passes.count_into(stats);
-    passes.tetrahedra.sorted(order, threads, watch)
+    passes.tetrahedra.sorted(&order, threads, watch)
 }
 
 /// Returns four corners with positive orientation.

@@ -113,7 +113,7 @@ fn check_circumball<const D: usize>(points: &[[f64; D]], signs: Signs) {
     }
     let simplex = &references(points)[..=D];
     let ball = Circumball::new(simplex);
-    let anchor = simplex[ball.anchor as usize];
+    let anchor = simplex[ball.anchor];
     for vertex in simplex {
         assert_eq!(ball.side(anchor, vertex), None, "{vertex:?} of {points:?}");
     }

@@ -67,7 +67,7 @@ pub(super) fn accurate_center<const D: usize>(points: &[&[f64; D]]) -> Center<D>
 pub(crate) fn center_within<const D: usize>(accepted: f64, points: &[&[f64; D]]) -> Center<D> {
     let ball = Circumball::new(points);
     // The error of one that cannot be used is infinite.
-    if ball.error() < accepted * norm(&ball.center) && ball.error().is_finite() {
+    if ball.error < accepted * norm(&ball.center) && ball.error.is_finite() {
         return ball.into();
     }
     match circumcenter_exact(points, 0) {

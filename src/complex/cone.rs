@@ -7,10 +7,14 @@
 
 use super::ridges::{MAX_TABLE_DIM, RidgeSide, ridges_of};
 use super::{Complex, Facet, SimplexId, VertexId, VertexSet, position};
+use crate::memory::AllocResult;
 
 /// Largest number of vertices round a cavity in space, the infinite one counted, whose edges fit in
 /// the table.
 const NUMBERS: usize = 64;
+
+/// At least the number of vertices of a simplex.
+const MAX_VERTICES: usize = 9;
 
 /// Length of the table of the directed edges round a cavity in space. Entry `NUMBERS * i + j` is
 /// the simplex that passes from the vertex with number i to the vertex with number j; entries of
@@ -26,9 +30,8 @@ const TRIANGLES: [[usize; 3]; 4] = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
 const SIDES: [[usize; 2]; 3] = [[1, 2], [2, 0], [0, 1]];
 
 impl<const D: usize> Complex<D> {
-    /// Replaces the cavity (the simplices marked inside, listed in `cavity`) by the cone of
-    /// `vertex` over its `boundary`, whose finite vertices are `around`. `created[i]` is the new
-    /// simplex on `boundary[i]`.
+    /// Replaces the simplices of `cavity` by the cone of `vertex` over its `boundary`, whose finite
+    /// vertices are `around`. `created[i]` is the new simplex on `boundary[i]`.
     pub fn retriangulate(
         &mut self,
         vertex: VertexId,
@@ -36,7 +39,7 @@ impl<const D: usize> Complex<D> {
         boundary: &[Facet],
         around: &VertexSet,
         created: &mut Vec<SimplexId>,
-    ) {
+    ) -> AllocResult<()> {
         created.clear();
         for facet in boundary {
             created.push(self.cone(vertex, facet));
@@ -45,12 +48,13 @@ impl<const D: usize> Complex<D> {
             2 => self.link_round(boundary, created),
             3 if self.link_by_edges(boundary, around, created) => {}
             4..=MAX_TABLE_DIM => self.link_by_table(boundary, created),
-            _ => self.link_by_pivots(boundary, created),
+            _ => self.link_by_pivots(cavity, boundary, created)?,
         }
         self.incident[vertex] = created[0];
         for &simplex in cavity {
             self.release(simplex);
         }
+        Ok(())
     }
 
     /// Makes the simplex of `vertex` over `facet`, links it to the simplex beyond, and returns it.
@@ -58,10 +62,13 @@ impl<const D: usize> Complex<D> {
     fn cone(&mut self, vertex: VertexId, facet: &Facet) -> SimplexId {
         let simplex = self.allocate();
         let (from, index) = (facet.simplex.index() * Self::RECORD, facet.index as usize);
-        self.records.copy_within(from..from + Self::VERTICES, simplex.index() * Self::RECORD);
-        let (vertices, others) = self.record_mut(simplex).split_at_mut(Self::VERTICES);
-        let (neighbors, mark) = others.split_at_mut(Self::VERTICES);
-        (vertices[index], neighbors[index], mark[0]) = (vertex.number(), facet.beyond.number(), 0);
+        const { assert!(D < MAX_VERTICES) };
+        // By way of the stack, which is no call of `memmove` as a copy within an array is.
+        let mut row = [0; MAX_VERTICES];
+        row[..Self::VERTICES].copy_from_slice(&self.records[from..][..Self::VERTICES]);
+        let (vertices, neighbors) = self.record_mut(simplex).split_at_mut(Self::VERTICES);
+        vertices.copy_from_slice(&row[..Self::VERTICES]);
+        (vertices[index], neighbors[index]) = (vertex.number(), facet.beyond.number());
         self.neighbors_mut(facet.beyond)[facet.mirror as usize] = simplex;
         simplex
     }
@@ -175,7 +182,14 @@ impl<const D: usize> Complex<D> {
     }
 
     /// Links the simplices of a cone by pivoting round each ridge through the cavity.
-    fn link_by_pivots(&mut self, boundary: &[Facet], created: &[SimplexId]) {
+    fn link_by_pivots(
+        &mut self,
+        cavity: &[SimplexId],
+        boundary: &[Facet],
+        created: &[SimplexId],
+    ) -> AllocResult<()> {
+        self.begin_marks()?;
+        cavity.iter().try_for_each(|&simplex| self.mark_inside(simplex))?;
         for (facet, &simplex) in boundary.iter().zip(created) {
             let neighbors = self.neighbors_mut(simplex);
             neighbors.fill(SimplexId::NONE);
@@ -194,6 +208,7 @@ impl<const D: usize> Complex<D> {
             }
         }
         self.touch_vertices(created);
+        Ok(())
     }
 
     /// Pivots round the ridge of `facet` without vertex `leave` until the cavity ends; returns the

@@ -69,7 +69,6 @@ impl<const D: usize> Complex<D> {
         created.clear();
         created.extend((0..filling.len()).map(|_| self.allocate()));
         for (number, &simplex) in (0..).zip(created.iter()) {
-            *self.mark_mut(simplex) = 0;
             self.vertices_mut(simplex).copy_from_slice(filling.vertices(number));
             for (index, &beside) in filling.beside(number).iter().enumerate() {
                 let neighbor = match beside {

@@ -1,16 +1,17 @@
 //! The combinatorial complex: a triangulated sphere, which is a ball whose hull facets are joined
 //! to one infinite vertex. It has vertex ids, simplices and adjacency, but no coordinates.
 //!
-//! A simplex is a record of 32-bit numbers: the ids of its vertices, the ids of the neighbours
-//! opposite them, and its mark. A search reads them one after the other, so they are in one or two
-//! cache lines. Dead records wait in a stack for reuse. All simplices are oriented alike: replacing
-//! a vertex of one by a point on the same side keeps the orientation, so a cavity is retriangulated
-//! without a single orientation test.
+//! A simplex is a record of 32-bit numbers: the ids of its vertices and of the neighbours opposite
+//! them. A search reads them one after the other: in space they are half a cache line. Dead records
+//! wait in a stack for reuse. All simplices are oriented alike: replacing a vertex of one by a point
+//! on the same side keeps the orientation, so a cavity is retriangulated without a single
+//! orientation test.
 
 mod cone;
 mod hole;
 mod ids;
 mod locality;
+mod marks;
 mod partition;
 mod plain;
 mod records;
@@ -23,6 +24,7 @@ use cone::EDGES;
 pub(crate) use hole::{Beside, Filling};
 pub(crate) use ids::{SimplexId, Vertex, VertexId};
 pub(crate) use locality::Anchored;
+use marks::Marks;
 pub(crate) use partition::{GlobalToLocal, LocalToGlobal, PartitionIds};
 pub(crate) use records::{Marking, Records};
 use ridges::{MAX_TABLE_DIM, Ridges};
@@ -44,7 +46,7 @@ pub(crate) struct Complex<const D: usize> {
     free: Vec<SimplexId>,
     /// Vertex -> a simplex that has it; none if the vertex is not in the complex.
     incident: Array<SimplexId>,
-    epoch: u32,
+    marks: Marks,
     /// Table of the directed edges round a cavity in space: see `cone`.
     edges: Vec<SimplexId>,
     ridges: Ridges,
@@ -54,10 +56,8 @@ pub(crate) struct Complex<const D: usize> {
 
 impl<const D: usize> Complex<D> {
     const VERTICES: usize = D + 1;
-    /// Position of the mark in a record.
-    const MARK: usize = 2 * Self::VERTICES;
     /// Number of words in a record.
-    const RECORD: usize = Self::MARK + 1;
+    const RECORD: usize = 2 * Self::VERTICES;
 
     /// Returns an empty complex with `vertices` ids, none of them inserted.
     pub fn new(vertices: usize) -> AllocResult<Self> {
@@ -65,7 +65,7 @@ impl<const D: usize> Complex<D> {
             records: Array::new(),
             free: Vec::new(),
             incident: Array::filled(vertices, SimplexId::NONE)?,
-            epoch: 0,
+            marks: Marks::default(),
             edges: Vec::new(),
             ridges: Ridges::default(),
             id_limit: SimplexId::NONE.index(),
@@ -83,6 +83,12 @@ impl<const D: usize> Complex<D> {
     /// simplices.
     pub fn simplex_bound(&self) -> usize {
         self.records.len() / Self::RECORD
+    }
+
+    /// Forgets the simplices from `bound` on, and gives their memory back to the system. Nothing
+    /// can be inserted, removed or searched afterwards.
+    pub fn forget_from(&mut self, bound: SimplexId) {
+        self.records.give_back_from(bound.index() * Self::RECORD);
     }
 
     /// Returns all simplices, dead ones included.
@@ -170,6 +176,7 @@ impl<const D: usize> Complex<D> {
     /// Reserves memory for `simplices` simplices and `vertices` vertices, if the system grants it.
     pub fn expect(&mut self, simplices: usize, vertices: usize) {
         self.records.expect(simplices * Self::RECORD);
+        self.marks.expect(simplices);
         self.incident.expect(vertices);
     }
 
@@ -194,58 +201,11 @@ impl<const D: usize> Complex<D> {
         }
     }
 
-    /// Starts a search: afterwards no simplex is marked, neither inside nor outside. Returns the
-    /// number of the search, for [`Self::has_marks_of`].
-    pub fn begin_marks(&mut self) -> u32 {
-        if self.epoch >= u32::MAX - 2 {
-            self.records.chunks_exact_mut(Self::RECORD).for_each(|record| record[Self::MARK] = 0);
-            self.epoch = 0;
-        }
-        self.epoch += 2;
-        self.epoch
-    }
-
-    #[inline]
-    fn mark(&self, simplex: SimplexId) -> u32 {
-        self.records[simplex.index() * Self::RECORD + Self::MARK]
-    }
-
-    #[inline]
-    fn mark_mut(&mut self, simplex: SimplexId) -> &mut u32 {
-        &mut self.records[simplex.index() * Self::RECORD + Self::MARK]
-    }
-
-    /// Returns true if no search has begun since the one with this number.
-    #[inline]
-    pub fn has_marks_of(&self, search: u32) -> bool {
-        self.epoch == search
-    }
-
-    #[inline]
-    pub fn mark_inside(&mut self, simplex: SimplexId) {
-        *self.mark_mut(simplex) = self.epoch;
-    }
-
-    #[inline]
-    pub fn is_inside(&self, simplex: SimplexId) -> bool {
-        self.mark(simplex) == self.epoch
-    }
-
-    #[inline]
-    pub fn is_marked(&self, simplex: SimplexId) -> bool {
-        self.mark(simplex) >= self.epoch
-    }
-
-    /// Marks `simplex` as inside, or else as outside.
-    #[inline]
-    pub fn mark_either(&mut self, simplex: SimplexId, is_inside: bool) {
-        *self.mark_mut(simplex) = self.epoch + u32::from(!is_inside);
-    }
-
     /// Returns a simplex whose record the caller fills in; the record of a new id is all zeros.
     #[inline(always)]
     fn allocate(&mut self) -> SimplexId {
         if let Some(simplex) = self.free.pop() {
+            debug_assert!(!self.is_marked(simplex), "a search reaches live simplices only");
             return simplex;
         }
         let simplex = SimplexId::new(self.simplex_bound());
@@ -270,7 +230,7 @@ impl<const D: usize> Complex<D> {
     #[inline]
     fn neighbors_mut(&mut self, simplex: SimplexId) -> &mut [SimplexId] {
         let record = &mut self.records[simplex.index() * Self::RECORD..];
-        SimplexId::from_numbers_mut(&mut record[Self::VERTICES..Self::MARK])
+        SimplexId::from_numbers_mut(&mut record[Self::VERTICES..Self::RECORD])
     }
 }
 

@@ -91,7 +91,6 @@ impl<const D: usize> Complex<D> {
                 let id = if id.is_valid() { id } else { local };
                 partition.records.try_push(id.number())?;
             }
-            partition.records.try_push(0)?;
         }
         Ok(partition)
     }
@@ -144,7 +143,6 @@ impl<const D: usize> Complex<D> {
         for simplex in SimplexId::range(base..base + count) {
             tick()?;
             local_to_global.simplices.try_push(simplex)?;
-            *self.mark_mut(simplex) = 0;
             if !self.is_live(simplex) {
                 continue;
             }

@@ -33,7 +33,6 @@ impl<const D: usize> Complex<D> {
             for &neighbor in neighbors {
                 complex.records.try_push(neighbor.number())?;
             }
-            complex.records.try_push(0)?;
         }
         Ok(complex)
     }

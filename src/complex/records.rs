@@ -1,7 +1,8 @@
 //! The records of all simplices in one array, for searches.
 
+use super::marks::{Mark, Marks};
 use super::{Complex, SimplexId, VertexId, index_of};
-use crate::memory::prefetch_at;
+use crate::memory::{AllocResult, prefetch_at};
 
 /// Vertices and neighbours of all simplices, to read.
 #[derive(Clone, Copy)]
@@ -9,15 +10,8 @@ pub(crate) struct Records<'a, const D: usize>(&'a [u32]);
 
 /// Records of all simplices for a search that marks the simplices that it meets.
 pub(crate) struct Marking<'a, const D: usize> {
-    records: &'a mut [u32],
-    epoch: u32,
-}
-
-/// Mark of a simplex as a search reads it when it crosses a facet, and the way back.
-pub(crate) struct Sighting {
-    /// Position of the simplex that the search came from, among the neighbours.
-    pub mirror: u32,
-    mark: u32,
+    records: Records<'a, D>,
+    marks: &'a mut Marks,
 }
 
 impl<'a, const D: usize> Records<'a, D> {
@@ -28,7 +22,13 @@ impl<'a, const D: usize> Records<'a, D> {
 
     #[inline]
     pub fn neighbors(self, simplex: SimplexId) -> &'a [SimplexId] {
-        neighbors_in::<D>(self.record(simplex))
+        SimplexId::from_numbers(&self.record(simplex)[Complex::<D>::VERTICES..])
+    }
+
+    /// Returns the position of `neighbor` among the neighbours of `simplex`, which has it.
+    #[inline(always)]
+    pub fn position_of_neighbor(self, simplex: SimplexId, neighbor: SimplexId) -> u32 {
+        index_of(self.neighbors(simplex), neighbor) as u32
     }
 
     /// Prefetches the record of `simplex`.
@@ -49,47 +49,16 @@ impl<'a, const D: usize> Records<'a, D> {
     }
 }
 
-#[inline(always)]
-fn neighbors_in<const D: usize>(record: &[u32]) -> &[SimplexId] {
-    SimplexId::from_numbers(&record[Complex::<D>::VERTICES..Complex::<D>::MARK])
-}
-
-impl<const D: usize> Marking<'_, D> {
+impl<'a, const D: usize> Marking<'a, D> {
     #[inline]
-    pub fn records(&self) -> Records<'_, D> {
-        Records(self.records)
+    pub fn records(&self) -> Records<'a, D> {
+        self.records
     }
 
-    /// Returns the number of the search, for [`Complex::has_marks_of`].
-    pub fn number(&self) -> u32 {
-        self.epoch
-    }
-
-    /// Reads the mark of `simplex`, reached from its neighbour `before`.
+    /// Returns the mark of `simplex`. A search clears those that it sets.
     #[inline(always)]
-    pub fn see(&self, simplex: SimplexId, before: SimplexId) -> Sighting {
-        let record = self.records().record(simplex);
-        let mirror = index_of(neighbors_in::<D>(record), before) as u32;
-        Sighting { mirror, mark: record[Complex::<D>::MARK] }
-    }
-
-    /// Returns true if this search had marked the simplex, inside or outside.
-    #[inline(always)]
-    pub fn is_marked(&self, seen: &Sighting) -> bool {
-        seen.mark >= self.epoch
-    }
-
-    /// Returns true if this search had marked the simplex as inside.
-    #[inline(always)]
-    pub fn is_inside(&self, seen: &Sighting) -> bool {
-        seen.mark == self.epoch
-    }
-
-    /// Marks `simplex` as inside, or else as outside.
-    #[inline(always)]
-    pub fn mark(&mut self, simplex: SimplexId, is_inside: bool) {
-        self.records[simplex.index() * Complex::<D>::RECORD + Complex::<D>::MARK] =
-            self.epoch + u32::from(!is_inside);
+    pub fn mark_of(&mut self, simplex: SimplexId) -> &mut Mark {
+        self.marks.of(simplex)
     }
 }
 
@@ -99,9 +68,9 @@ impl<const D: usize> Complex<D> {
         Records(&self.records)
     }
 
-    /// Starts a search as [`Self::begin_marks`] does, and returns the records to mark.
-    pub fn marking(&mut self) -> Marking<'_, D> {
-        let epoch = self.begin_marks();
-        Marking { records: &mut self.records, epoch }
+    /// Starts a search as [`Self::begin_marks`] does, and returns the records and their marks.
+    pub fn marking(&mut self) -> AllocResult<Marking<'_, D>> {
+        self.begin_marks()?;
+        Ok(Marking { records: Records(&self.records), marks: &mut self.marks })
     }
 }

@@ -5,12 +5,12 @@ use crate::memory::{AllocResult, Array, TryGrow};
 
 impl<const D: usize> Complex<D> {
     /// Collects the live simplices at `vertex` into `star` (cleared first), infinite ones included.
-    /// Uses the marks.
+    /// Uses the marks, and leaves none.
     pub fn star(&mut self, vertex: VertexId, star: &mut Array<SimplexId>) -> AllocResult<()> {
         star.clear();
-        self.begin_marks();
+        self.begin_marks()?;
         let first = self.incident(vertex);
-        self.mark_inside(first);
+        self.marks.of(first).set_inside(true);
         star.try_push(first)?;
         let mut next = 0;
         while next < star.len() {
@@ -21,9 +21,13 @@ impl<const D: usize> Complex<D> {
             let opposite = index_of(self.vertices(simplex), vertex);
             for index in (0..D).map(|i| i + usize::from(i >= opposite)) {
                 let neighbor = self.neighbors(simplex)[index];
-                star.push_if(!self.is_inside(neighbor), neighbor);
-                self.mark_inside(neighbor);
+                let mark = self.marks.of(neighbor);
+                star.push_if(!mark.is_inside(), neighbor);
+                mark.set_inside(true);
             }
+        }
+        for &simplex in &*star {
+            self.marks.of(simplex).set_inside(false);
         }
         Ok(())
     }

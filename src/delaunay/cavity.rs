@@ -20,8 +20,6 @@ pub(crate) struct Cavity {
     pub vertices: VertexSet,
     /// False if simplices in conflict were left out. The facets to these are not in `boundary`.
     pub is_whole: bool,
-    /// Number of the search that marked `simplices`.
-    pub(super) search: u32,
     /// Simplices in conflict that the search has found.
     queue: Array<Found>,
 }
@@ -34,8 +32,7 @@ struct Found {
 }
 
 impl Cavity {
-    fn restart(&mut self, search: u32) {
-        self.search = search;
+    fn restart(&mut self) {
         self.is_whole = true;
         self.simplices.clear();
         self.boundary.clear();
@@ -80,12 +77,12 @@ impl<const D: usize> Delaunay<D> {
     ) -> AllocResult<()> {
         let Self { complex, points, balls, exact_fallbacks, .. } = self;
         let mut search = Search {
-            marking: complex.marking(),
+            marking: complex.marking()?,
             conflicts: Conflicts { points, balls, exact_fallbacks },
             q,
         };
-        cavity.restart(search.marking.number());
-        search.marking.mark(start, true);
+        cavity.restart();
+        search.marking.mark_of(start).set_inside(true);
         cavity.begin_simplex::<D>(start)?;
         cavity.vertices.restart(points.len())?;
         for &vertex in search.marking.records().vertices(start) {
@@ -118,6 +115,7 @@ impl<const D: usize> Delaunay<D> {
                 search.cross_on(simplex, entry, &others, at, cavity);
             }
         }
+        search.clear_marks(start, cavity);
         cavity.starts.try_push(cavity.boundary.len() as u32)?;
         Ok(())
     }
@@ -130,17 +128,21 @@ struct Search<'a, const D: usize> {
 }
 
 impl<const D: usize> Search<'_, D> {
-    /// Crosses facet number `index` of the cavity's `simplex` to `beyond`. A simplex that is marked
-    /// already is tested once more: that is faster than a branch which avoids it.
+    /// Crosses facet number `index` of the cavity's `simplex` to `beyond`. A simplex that was
+    /// tested already is tested once more: that is faster than a branch which avoids it.
     #[inline(always)]
     fn cross(&mut self, simplex: SimplexId, index: usize, beyond: SimplexId, cavity: &mut Cavity) {
-        let seen = self.marking.see(beyond, simplex);
-        let is_new = !self.marking.is_marked(&seen);
-        let side = self.conflicts.side(beyond, self.q);
-        let is_found = is_new & side.unwrap_or_else(|| is_new && self.test_with_care(beyond));
-        let is_inside = is_found | self.marking.is_inside(&seen);
-        self.marking.mark(beyond, is_inside);
-        let mirror = seen.mirror;
+        let Self { marking, conflicts, q } = self;
+        let records = marking.records();
+        let mirror = records.position_of_neighbor(beyond, simplex);
+        let mark = marking.mark_of(beyond);
+        let side = conflicts.side(records, beyond, q);
+        let is_found = !mark.is_inside()
+            & side.unwrap_or_else(|| {
+                !mark.is_inside() && conflicts.test_with_care(records, beyond, q)
+            });
+        let is_inside = is_found | mark.is_inside();
+        mark.set_inside(is_inside);
         cavity.queue.push_if(is_found, Found { simplex: beyond, entry: mirror });
         let facet = Facet { simplex, index: index as u32, beyond, mirror };
         cavity.boundary.push_if(!is_inside, facet);
@@ -161,8 +163,13 @@ impl<const D: usize> Search<'_, D> {
         self.cross(simplex, at + usize::from(at >= entry), others[at], cavity);
     }
 
-    fn test_with_care(&self, simplex: SimplexId) -> bool {
-        self.conflicts.test_with_care(self.marking.records(), simplex, self.q)
+    /// Clears the marks of the simplices in conflict that the search from `start` has found.
+    #[inline(always)]
+    fn clear_marks(&mut self, start: SimplexId, cavity: &Cavity) {
+        self.marking.mark_of(start).set_inside(false);
+        for found in &cavity.queue {
+            self.marking.mark_of(found.simplex).set_inside(false);
+        }
     }
 
     /// Prefetches the records and D-balls that a search will read next from `simplex`. In the plane

@@ -3,14 +3,14 @@
 use super::MAX_SIMPLEX_VERTICES;
 use crate::complex::{Records, SimplexId, VertexId, position};
 use crate::memory::prefetch_at;
-use crate::numerics::{Circumball, Sign, in_ball_with_care, orientation};
+use crate::numerics::{Circumball, RoundedBall, Sign, in_ball_with_care, orientation};
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Points and D-balls that conflict tests read, beside the records of the simplices.
 #[derive(Clone, Copy)]
 pub(super) struct Conflicts<'a, const D: usize> {
     pub points: &'a [[f64; D]],
-    pub balls: &'a [Circumball<D>],
+    pub balls: &'a [RoundedBall<D>],
     pub exact_fallbacks: &'a AtomicU64,
 }
 
@@ -20,19 +20,18 @@ impl<'a, const D: usize> Conflicts<'a, D> {
     /// disc.
     #[inline(always)]
     pub fn test(&self, records: Records<'_, D>, simplex: SimplexId, q: &[f64; D]) -> bool {
-        self.side(simplex, q).unwrap_or_else(|| self.test_with_care(records, simplex, q))
+        self.side(records, simplex, q).unwrap_or_else(|| self.test_with_care(records, simplex, q))
     }
 
     /// Returns the result of [`Self::test`] if the rounded D-ball decides it, else `None`.
     #[inline(always)]
-    pub fn side(&self, simplex: SimplexId, q: &[f64; D]) -> Option<bool> {
-        let ball = &self.balls[simplex];
-        // An infinite simplex has no ball, and that none an anchor.
-        ball.side(self.points.get(ball.anchor as usize)?, q)
+    pub fn side(&self, records: Records<'_, D>, simplex: SimplexId, q: &[f64; D]) -> Option<bool> {
+        let vertices = records.vertices(simplex);
+        self.balls[simplex].side(|index| &self.points[vertices[index]], q)
     }
 
-    /// Returns the result of [`Self::test`] by exact signs, for simplices whose rounded D-ball does
-    /// not decide it.
+    /// Returns the result of [`Self::test`] for simplices whose rounded D-ball does not decide it:
+    /// by the D-ball in doubles, and then by exact signs.
     #[cold]
     #[inline(never)]
     pub fn test_with_care(
@@ -45,9 +44,12 @@ impl<'a, const D: usize> Conflicts<'a, D> {
         match vertices.contains(&VertexId::INFINITE) {
             true => self.beyond_hull(records, simplex, q),
             false => {
-                self.exact_fallbacks.fetch_add(1, Ordering::Relaxed);
                 let points = self.vertex_points(vertices);
-                in_ball_with_care(&points[..=D], q) == Sign::Positive
+                let ball = Circumball::of(|index| points[index]);
+                ball.side(points[ball.anchor], q).unwrap_or_else(|| {
+                    self.exact_fallbacks.fetch_add(1, Ordering::Relaxed);
+                    in_ball_with_care(&points[..=D], q) == Sign::Positive
+                })
             }
         }
     }

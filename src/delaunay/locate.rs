@@ -49,7 +49,7 @@ impl<const D: usize> Delaunay<D> {
             }
             match self.step_towards(current, q) {
                 Some(next) if next == current => break,
-                Some(next) if self.ball(next).is_none() => return Some(next),
+                Some(next) if !self.has_ball(next) => return Some(next),
                 Some(next) => current = next,
                 None => break,
             }

@@ -26,7 +26,7 @@ mod tests;
 
 use crate::complex::{Complex, SimplexId, VertexId};
 use crate::memory::{AllocResult, Array, TryGrow, reserve};
-use crate::numerics::{Circumball, Sign, norm, orientation};
+use crate::numerics::{Circumball, RoundedBall, Sign, orientation};
 pub(crate) use cavity::Cavity;
 use conflict::Conflicts;
 pub(crate) use removal::Hole;
@@ -39,9 +39,8 @@ pub(crate) struct Delaunay<const D: usize> {
     complex: Complex<D>,
     /// Points by vertex id, inserted or not.
     points: Array<[f64; D]>,
-    /// Simplex -> its D-ball, relative to its vertex `anchor`. The entry of a dead simplex is
-    /// stale. An infinite simplex has no D-ball and no anchor.
-    balls: Array<Circumball<D>>,
+    /// Simplex -> its D-ball. The entry of a dead simplex is stale. An infinite simplex has none.
+    balls: Array<RoundedBall<D>>,
     /// Vertex -> the number of its last insertion, from 1 on; 0 if it never was inserted.
     turns: Array<u32>,
     last_turn: u32,
@@ -50,8 +49,6 @@ pub(crate) struct Delaunay<const D: usize> {
 }
 
 impl<const D: usize> Delaunay<D> {
-    const NO_BALL: Circumball<D> = Circumball::UNUSABLE.anchored(VertexId::NONE.number());
-
     /// Returns a complex without simplices over `points`, which get the ids from 0 on.
     pub fn new(points: Array<[f64; D]>) -> AllocResult<Self> {
         Ok(Self {
@@ -120,13 +117,13 @@ impl<const D: usize> Delaunay<D> {
     }
 
     /// Starts a search of a caller's: afterwards no simplex is marked.
-    pub fn begin_marks(&mut self) {
-        self.complex.begin_marks();
+    pub fn begin_marks(&mut self) -> AllocResult<()> {
+        self.complex.begin_marks()
     }
 
     /// Marks a simplex as one that a search has reached.
-    pub fn mark(&mut self, simplex: SimplexId) {
-        self.complex.mark_inside(simplex);
+    pub fn mark(&mut self, simplex: SimplexId) -> AllocResult<()> {
+        self.complex.mark_inside(simplex)
     }
 
     /// Collects the simplices at a vertex: see [`Complex::star`].
@@ -153,34 +150,50 @@ impl<const D: usize> Delaunay<D> {
         first.iter().try_for_each(|&vertex| self.note_insertion(vertex))
     }
 
-    /// Returns the D-ball of a live simplex; `None` if it is infinite.
+    /// Returns true if a live simplex is not infinite.
     #[inline]
-    pub fn ball(&self, simplex: SimplexId) -> Option<&Circumball<D>> {
-        let ball = &self.balls[simplex];
-        anchor(ball).map(|_| ball)
+    pub fn has_ball(&self, simplex: SimplexId) -> bool {
+        self.balls[simplex].is_ball()
     }
 
-    #[inline]
-    fn ball_and_anchor(&self, simplex: SimplexId) -> Option<(&Circumball<D>, &[f64; D])> {
-        let ball = &self.balls[simplex];
-        anchor(ball).map(|anchor| (ball, self.point(anchor)))
+    /// Returns the radius of the D-ball of a live simplex, or a little more, 2^-22 of itself at
+    /// most. `None` if the simplex is infinite.
+    #[inline(always)]
+    pub fn radius(&self, simplex: SimplexId) -> Option<f64> {
+        self.balls[simplex].radius()
+    }
+
+    /// Returns the D-ball of a live simplex in doubles, made anew. `None` if the simplex is
+    /// infinite.
+    pub fn circumball(&self, simplex: SimplexId) -> Option<Circumball<D>> {
+        let vertices = self.complex.vertices(simplex);
+        self.has_ball(simplex).then(|| Circumball::of(|i| self.point(vertices[i])))
+    }
+
+    /// Returns the D-ball of a live simplex as [`Self::circumball`] does, and its anchor.
+    fn circumball_and_anchor(&self, simplex: SimplexId) -> Option<(Circumball<D>, &[f64; D])> {
+        let ball = self.circumball(simplex)?;
+        Some((ball, self.point(self.complex.vertices(simplex)[ball.anchor])))
+    }
+
+    #[inline(always)]
+    fn ball_and_anchor(&self, simplex: SimplexId) -> Option<(Circumball<D>, &[f64; D])> {
+        let ball = self.balls[simplex].ball()?;
+        Some((ball, self.point(self.complex.vertices(simplex)[ball.anchor])))
     }
 
     /// Returns the corner of the Voronoi diagram dual to `simplex`, rounded; its coordinates are
     /// not finite if out of range. `None` for an infinite simplex.
     pub fn corner(&self, simplex: SimplexId) -> Option<[f64; D]> {
-        let (ball, anchor) = self.ball_and_anchor(simplex)?;
+        let (ball, anchor) = self.circumball_and_anchor(simplex)?;
         Some(ball.center_point(anchor))
     }
 
-    /// Returns the distance of the unrounded corner dual to `simplex` from `x`; NaN or infinite if
-    /// out of range. `None` for an infinite simplex.
+    /// Returns the distance of the corner dual to `simplex` from `x`, or a little more, 2^-22 of
+    /// the radius at most; NaN or infinite if out of range. `None` for an infinite simplex.
     pub fn corner_distance(&self, simplex: SimplexId, x: &[f64; D]) -> Option<f64> {
         let (ball, anchor) = self.ball_and_anchor(simplex)?;
-        let unit = ball.unit();
-        let offset: [f64; D] =
-            std::array::from_fn(|axis| (anchor[axis] - x[axis]) + ball.center[axis] * unit);
-        Some(norm(&offset))
+        Some(ball.center_distance(anchor, x) + (D as f64).sqrt() * ball.error * ball.unit())
     }
 
     /// Returns true if `q` is in conflict with `simplex`: see [`Conflicts::test`].
@@ -217,19 +230,13 @@ impl<const D: usize> Delaunay<D> {
         self.complex.reserve(cavity.boundary.len(), cavity.simplices.len())?;
         created.clear();
         reserve(created, cavity.boundary.len())?;
-        if !self.complex.has_marks_of(cavity.search) {
-            self.complex.begin_marks();
-            for &simplex in &cavity.simplices {
-                self.complex.mark_inside(simplex);
-            }
-        }
         self.complex.retriangulate(
             vertex,
             &cavity.simplices,
             &cavity.boundary,
             &cavity.vertices,
             created,
-        );
+        )?;
         self.simplices_created += created.len() as u64;
         self.cover_balls()?;
         for pair in created.chunks(2) {
@@ -240,7 +247,7 @@ impl<const D: usize> Delaunay<D> {
 
     /// Makes the array of D-balls as long as that of the simplices.
     fn cover_balls(&mut self) -> AllocResult<()> {
-        self.balls.cover(self.complex.simplex_bound(), Self::NO_BALL)
+        self.balls.cover(self.complex.simplex_bound(), RoundedBall::NONE)
     }
 
     #[inline(always)]
@@ -248,16 +255,12 @@ impl<const D: usize> Delaunay<D> {
         let (a, b) = (self.complex.vertices(first), self.complex.vertices(second));
         let is_finite =
             |vertices: &[VertexId]| vertices.iter().all(|&v| v.index() < self.points.len());
-        let anchors = [a[0].number(), b[0].number()];
         let pair = match is_finite(a) && is_finite(b) {
-            true => Circumball::ordinary_pair(|i| self.point(a[i]), |i| self.point(b[i])),
+            true => RoundedBall::ordinary_pair(|i| self.point(a[i]), |i| self.point(b[i])),
             false => None,
         };
         match pair {
-            Some(balls) => {
-                self.balls[first] = balls[0].anchored(anchors[0]);
-                self.balls[second] = balls[1].anchored(anchors[1]);
-            }
+            Some(balls) => (self.balls[first], self.balls[second]) = balls.into(),
             None => [first, second].into_iter().for_each(|simplex| self.compute_ball(simplex)),
         }
     }
@@ -266,11 +269,8 @@ impl<const D: usize> Delaunay<D> {
     fn compute_ball(&mut self, simplex: SimplexId) {
         let vertices = self.complex.vertices(simplex);
         self.balls[simplex] = match vertices.contains(&VertexId::INFINITE) {
-            true => Self::NO_BALL,
-            false => {
-                let ball = Circumball::of(|i| self.point(vertices[i]));
-                ball.anchored(vertices[ball.anchor as usize].number())
-            }
+            true => RoundedBall::NONE,
+            false => RoundedBall::new(&Circumball::of(|i| self.point(vertices[i]))),
         };
     }
 
@@ -279,14 +279,12 @@ impl<const D: usize> Delaunay<D> {
         self.balls = Array::new();
     }
 
+    /// Forgets the simplices from `bound` on: see [`Complex::forget_from`].
+    pub fn forget_from(&mut self, bound: SimplexId) {
+        self.complex.forget_from(bound);
+    }
+
     fn vertex_points(&self, vertices: &[VertexId]) -> [&[f64; D]; MAX_SIMPLEX_VERTICES] {
         self.conflicts().vertex_points(vertices)
     }
-}
-
-/// Returns the vertex that `ball` is relative to; `None` for an infinite simplex.
-#[inline(always)]
-fn anchor<const D: usize>(ball: &Circumball<D>) -> Option<VertexId> {
-    let anchor = VertexId::from_number(ball.anchor);
-    anchor.is_valid().then_some(anchor)
 }

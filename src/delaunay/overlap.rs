@@ -7,7 +7,7 @@
 use super::Delaunay;
 use crate::complex::SimplexId;
 use crate::memory::{AllocResult, Array, TryGrow};
-use crate::numerics::{Circumball, norm};
+use crate::numerics::norm;
 use std::ops::RangeInclusive;
 
 impl<const D: usize> Delaunay<D> {
@@ -21,8 +21,8 @@ impl<const D: usize> Delaunay<D> {
         found: &mut Array<SimplexId>,
     ) -> AllocResult<u64> {
         found.clear();
-        self.complex.begin_marks();
-        self.complex.mark_inside(simplex);
+        self.complex.begin_marks()?;
+        self.complex.mark_inside(simplex)?;
         found.try_push(simplex)?;
         let mut count = 0;
         let mut next = 0;
@@ -34,8 +34,8 @@ impl<const D: usize> Delaunay<D> {
                 if self.complex.is_inside(beyond) {
                     continue;
                 }
-                self.complex.mark_inside(beyond);
-                let is_finite = self.ball(beyond).is_some();
+                self.complex.mark_inside(beyond)?;
+                let is_finite = self.has_ball(beyond);
                 if !is_finite || self.balls_meet(simplex, beyond) {
                     count += u64::from(is_finite);
                     found.try_push(beyond)?;
@@ -58,8 +58,8 @@ impl<const D: usize> Delaunay<D> {
         found: &mut Vec<SimplexId>,
     ) -> AllocResult<bool> {
         found.clear();
-        self.complex.begin_marks();
-        self.complex.mark_inside(start);
+        self.complex.begin_marks()?;
+        self.complex.mark_inside(start)?;
         found.try_push(start)?;
         let mut next = 0;
         while next < found.len() {
@@ -73,16 +73,17 @@ impl<const D: usize> Delaunay<D> {
                 if self.complex.is_marked(beyond) {
                     continue;
                 }
-                let distance = self.corner_distance(beyond, center);
-                let radius = self.ball(beyond).map_or(0.0, Circumball::radius);
-                // Out of range, or infinite: taken to meet.
-                let is_apart = distance.is_some_and(|distance| {
+                // Out of range, or infinite: taken to meet. A D-ball may be much larger than the
+                // shell, and is told apart from it in doubles.
+                let is_apart = self.circumball_and_anchor(beyond).is_some_and(|(ball, anchor)| {
+                    let distance = ball.center_distance(anchor, center);
+                    let radius = ball.radius();
                     distance > *radii.end() + radius || distance + radius < *radii.start()
                 });
                 if is_apart {
-                    self.complex.mark_either(beyond, false);
+                    self.complex.mark_either(beyond, false)?;
                 } else {
-                    self.complex.mark_inside(beyond);
+                    self.complex.mark_inside(beyond)?;
                     found.try_push(beyond)?;
                 }
             }
@@ -93,10 +94,8 @@ impl<const D: usize> Delaunay<D> {
     /// Returns true if the D-balls of two finite simplices meet. The centres are not rounded to
     /// coordinates before they are compared, so that those of a tiny cluster are told apart too.
     fn balls_meet(&self, a: SimplexId, b: SimplexId) -> bool {
-        let (Some((a, from)), Some((b, to))) = (self.ball_and_anchor(a), self.ball_and_anchor(b))
-        else {
-            return false;
-        };
+        let balls = self.circumball_and_anchor(a).zip(self.circumball_and_anchor(b));
+        let Some(((a, from), (b, to))) = balls else { return false };
         let (unit_a, unit_b) = (a.unit(), b.unit());
         let offset: [f64; D] = std::array::from_fn(|axis| {
             (to[axis] - from[axis]) + (b.center[axis] * unit_b - a.center[axis] * unit_a)

@@ -2,16 +2,16 @@
 //! simplices at its interface unchanged. Those are then Delaunay on both sides, and so is every
 //! facet when all partitions have joined. A complex that is Delaunay at every facet is Delaunay.
 
-use super::{Delaunay, anchor};
+use super::Delaunay;
 use crate::complex::{LocalToGlobal, PartitionIds, SimplexId, VertexId};
 use crate::error::Result;
 use crate::memory::{AllocResult, Array, TryGrow, collected, filled};
-use crate::numerics::Circumball;
+use crate::numerics::RoundedBall;
 
 /// Memory in which the simplices of a partition grow.
 pub(crate) struct Reserve<const D: usize> {
     records: Array<u32>,
-    balls: Array<Circumball<D>>,
+    balls: Array<RoundedBall<D>>,
 }
 
 impl<const D: usize> Delaunay<D> {
@@ -23,7 +23,7 @@ impl<const D: usize> Delaunay<D> {
         mut tick: impl FnMut() -> Result<()>,
     ) -> Result<Self> {
         let complex = self.complex.partition(ids, &mut tick)?;
-        let PartitionIds { local_to_global, global_to_local } = ids;
+        let local_to_global = &ids.local_to_global;
         let mut points = Array::with_capacity(local_to_global.vertices.len())?;
         for &vertex in &local_to_global.vertices {
             tick()?;
@@ -37,7 +37,7 @@ impl<const D: usize> Delaunay<D> {
         let mut balls = Array::with_capacity(local_to_global.simplices.len())?;
         for &simplex in &local_to_global.simplices {
             tick()?;
-            balls.try_push(renamed(&self.balls[simplex], &global_to_local.vertices))?;
+            balls.try_push(self.balls[simplex])?;
         }
         Ok(Self {
             complex,
@@ -109,17 +109,10 @@ impl<const D: usize> Delaunay<D> {
         mut tick: impl FnMut() -> Result<()>,
     ) -> Result<()> {
         self.add_points(&partition, local_to_global)?;
-        let base = self.balls.len();
         *self.exact_fallbacks.get_mut() += partition.exact_fallbacks();
         self.simplices_created += partition.simplices_created;
         self.complex.join(partition.complex, local_to_global, &mut tick)?;
         self.balls.absorb(partition.balls)?;
-        for simplex in SimplexId::range(base..self.balls.len()) {
-            tick()?;
-            if self.complex.is_live(simplex) {
-                self.balls[simplex] = renamed(&self.balls[simplex], &local_to_global.vertices);
-            }
-        }
         Ok(())
     }
 
@@ -131,13 +124,5 @@ impl<const D: usize> Delaunay<D> {
         tick: impl FnMut() -> Result<()>,
     ) -> Result<()> {
         self.complex.replace_joined(moved, tick)
-    }
-}
-
-/// Returns `ball` with its anchor replaced by the id that `ids` has for it.
-fn renamed<const D: usize>(ball: &Circumball<D>, ids: &[VertexId]) -> Circumball<D> {
-    match anchor(ball) {
-        Some(anchor) => ball.anchored(ids[anchor].number()),
-        None => *ball,
     }
 }

@@ -156,7 +156,7 @@ impl<const D: usize> Delaunay<D> {
             let q = self.point(candidate);
             let is_better = match &ball {
                 // A vertex of the simplex is on the sphere, so doubles cannot tell its side.
-                Some(ball) => ball.side(points[ball.anchor as usize], q).unwrap_or_else(|| {
+                Some(ball) => ball.side(points[ball.anchor], q).unwrap_or_else(|| {
                     !vertices.contains(&candidate) && self.is_inside_with_care(vertices, candidate)
                 }),
                 None => {

@@ -5,7 +5,7 @@ use super::{Cavity, Delaunay};
 use crate::complex::{SimplexId, VertexId};
 use crate::memory::{AllocError, Array};
 use crate::numerics::testing::Random;
-use crate::numerics::{Sign, affine_basis, in_ball, orientation};
+use crate::numerics::{Sign, affine_basis, in_ball, norm, orientation};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 
@@ -96,6 +96,12 @@ pub(super) fn assert_closed<const D: usize>(delaunay: &Delaunay<D>) {
     }
 }
 
+/// Asserts that the last search has left no mark.
+fn assert_unmarked<const D: usize>(delaunay: &Delaunay<D>) {
+    let complex = delaunay.complex();
+    assert!(complex.simplices().all(|simplex| !complex.is_marked(simplex)));
+}
+
 /// Asserts that the star of each vertex has all simplices at it, each once.
 fn assert_stars<const D: usize>(delaunay: &mut Delaunay<D>) {
     let live = live_simplices(delaunay);
@@ -103,6 +109,7 @@ fn assert_stars<const D: usize>(delaunay: &mut Delaunay<D>) {
     for vertex in VertexId::below(delaunay.point_count()) {
         if delaunay.complex().contains_vertex(vertex) {
             delaunay.star(vertex, &mut star).unwrap();
+            assert_unmarked(delaunay);
             star.sort_unstable();
             let has =
                 |&&simplex: &&SimplexId| delaunay.complex().vertices(simplex).contains(&vertex);
@@ -272,6 +279,22 @@ proptest! {
     fn raw_bit_patterns_4d(points in points::<4>(raw_finite())) { check(&points); }
 }
 
+/// Points so near to one sphere that single precision cannot tell their sides need no exact signs:
+/// doubles tell them.
+#[test]
+fn points_near_a_sphere_are_told_apart_in_doubles() {
+    let mut random = Random(21);
+    let mut point = || -> [f64; 3] {
+        let direction: [f64; 3] = std::array::from_fn(|_| random.unit());
+        let radius = 1.0 + 1e-8 * random.unit();
+        direction.map(|x| x * radius / norm(&direction))
+    };
+    let points: Vec<[f64; 3]> = (0..150).map(|_| point()).collect();
+    let delaunay = triangulate(&points).unwrap();
+    assert!(delaunay.exact_fallbacks() < 20, "{}", delaunay.exact_fallbacks());
+    assert_delaunay(&delaunay);
+}
+
 /// Simplices beyond the last id are refused; ids do not wrap round.
 #[test]
 fn too_many_simplices_are_refused() {
@@ -306,8 +329,10 @@ fn cavities_end_where_a_search_may_not_go() {
         let Some(start) = delaunay.locate(near, &q) else { continue };
         delaunay.find_cavity(start, &q, &mut whole).unwrap();
         assert!(whole.is_whole);
+        assert_unmarked(&delaunay);
         let may_go = |simplex: SimplexId| simplex.index() % 3 != round % 3;
         delaunay.find_cavity_within(start, &q, &mut part, |simplex, _| may_go(simplex)).unwrap();
+        assert_unmarked(&delaunay);
         let (mut expected, mut waiting) = (BTreeSet::from([start]), vec![start]);
         while let Some(simplex) = waiting.pop() {
             for &beyond in delaunay.complex().neighbors(simplex) {

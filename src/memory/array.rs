@@ -73,6 +73,20 @@ impl<T: Copy> Array<T> {
         self.length = self.length.min(length);
     }
 
+    /// Removes all but the first `length` values, and gives the pages of the others back to the
+    /// system.
+    #[allow(unsafe_code)]
+    pub fn give_back_from(&mut self, length: usize) {
+        let removed = self.length.saturating_sub(length);
+        self.truncate(length);
+        // SAFETY: as many values were there after `length`, within the stretch, which are spare
+        // now.
+        unsafe {
+            let start = self.start.add(self.length).cast::<MaybeUninit<T>>();
+            give_back(NonNull::slice_from_raw_parts(start, removed).as_mut());
+        }
+    }
+
     pub fn clear(&mut self) {
         self.length = 0;
     }
@@ -445,6 +459,19 @@ mod tests {
         let arrays: Vec<_> = (0..8).map(|at| Array::filled(units(300), at).unwrap()).collect();
         let odd: Vec<_> = arrays.into_iter().filter(|array| array[0] % 2 == 1).collect();
         assert!(odd.iter().zip(0..).all(|(odd, at)| odd.iter().all(|&value| value == 2 * at + 1)));
+    }
+
+    #[test]
+    fn what_is_given_back_is_spare_and_the_rest_stays() {
+        let mut array = filled(0..900_000);
+        let capacity = array.len() + array.spare();
+        for length in [900_001, 500_000, 499_999, 3] {
+            array.give_back_from(length);
+            assert!(array.iter().copied().eq(0..length.min(900_000) as u32));
+            assert_eq!(array.len() + array.spare(), capacity);
+        }
+        array.cover(900_000, 9).unwrap();
+        assert!(array.iter().copied().eq((0..3).chain(std::iter::repeat_n(9, 899_997))));
     }
 
     #[test]

@@ -47,8 +47,9 @@ pub(crate) use double_double::DoubleDouble;
 pub(crate) use exact::{Column, Edges};
 pub(crate) use exact::{Lines, compare_crossings, compare_to_crossing, crossing};
 pub use exact::{ScaledCenter, circumcenter_exact, in_ball_exact, orientation_exact};
-pub use filters::{Circumball, in_ball, in_ball_with_care, orientation, orientation_filtered};
+pub use filters::{Circumball, RoundedBall, in_ball, in_ball_with_care};
 pub(crate) use filters::{F64x2, Hyperplane, Real};
+pub use filters::{orientation, orientation_filtered};
 pub use lengths::{
     cross, distance, distance_to_edge, distance_to_line, distance_to_triangle, dot, foot_on_line,
     norm, shortest_distance,

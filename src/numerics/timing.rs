@@ -29,7 +29,7 @@ fn report<const D: usize>(family: Family) {
     });
     let side = nanoseconds(COUNT, || {
         for (ball, cloud) in balls.iter().zip(&clouds) {
-            black_box(ball.side(&cloud[ball.anchor as usize], &cloud[D + 1]));
+            black_box(ball.side(&cloud[ball.anchor], &cloud[D + 1]));
         }
     });
     let turn = nanoseconds(COUNT, || {

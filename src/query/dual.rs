@@ -41,8 +41,8 @@ pub(crate) struct Center<const D: usize> {
 
 impl<const D: usize> From<Circumball<D>> for Center<D> {
     fn from(ball: Circumball<D>) -> Self {
-        let exponent = i32::from(ball.exponent());
-        Self { anchor: ball.anchor as usize, offset: ball.center, exponent }
+        let exponent = i32::from(ball.exponent);
+        Self { anchor: ball.anchor, offset: ball.center, exponent }
     }
 }
 

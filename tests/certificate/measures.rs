@@ -43,7 +43,7 @@ pub fn aspects_by_trying<const D: usize>(case: &Case) -> Vec<f64> {
         .map(|s| {
             let points: Vec<&[f64; D]> = mesh.simplex(s).iter().map(|&v| point(v)).collect();
             let ball = Circumball::<D>::new(&points);
-            (mesh.simplex(s), ball.center_point(points[ball.anchor as usize]), ball.radius())
+            (mesh.simplex(s), ball.center_point(points[ball.anchor]), ball.radius())
         })
         .collect();
     let cell = |v: u32| {
@@ -95,7 +95,7 @@ fn a_union_cell_by_hand() {
         if simplex.iter().any(outside) && !simplex.iter().all(outside) {
             let points = [0, 1, 2].map(|i| <&[f64; 2]>::try_from(mesh.point(simplex[i])).unwrap());
             let ball = Circumball::<2>::new(&points);
-            let center = ball.center_point(points[ball.anchor as usize]);
+            let center = ball.center_point(points[ball.anchor]);
             if (center[0] - root[0]).hypot(center[1] - root[1]) < 0.85 * 0.8 * 2.5 {
                 reach = reach.max(norm(&center));
             }

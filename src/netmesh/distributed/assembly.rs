@@ -331,7 +331,7 @@ fn at_interface<const D: usize>(delaunay: &Delaunay<D>) -> AllocResult<Vec<bool>
 /// Measures the farthest corner of each vertex; that of a `shared` one is not known.
 fn measure_farthest<const D: usize>(cells: &mut [Cell], delaunay: &Delaunay<D>, shared: &[bool]) {
     for simplex in delaunay.complex().simplices() {
-        if let Some(radius) = delaunay.ball(simplex).map(|ball| ball.radius()) {
+        if let Some(radius) = delaunay.radius(simplex) {
             for &vertex in delaunay.complex().vertices(simplex) {
                 let cell = &mut cells[vertex.index()];
                 cell.farthest = cell.farthest.max(radius);

@@ -4,7 +4,7 @@
 use crate::complex::{SimplexId, VertexId};
 use crate::memory::AllocResult;
 use crate::netmesh::state::{Cell, Mesher, State};
-use crate::numerics::{Circumball, distance};
+use crate::numerics::distance;
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Measures the cells of those of `neighbors` whose nearest vertex may have been the one that
@@ -28,7 +28,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                         cell.nearest = cell.nearest.min(distance(&point, other));
                     }
                 }
-                let radius = self.state.delaunay.ball(simplex).map_or(0.0, Circumball::radius);
+                let radius = self.state.delaunay.radius(simplex).unwrap_or(0.0);
                 cell.farthest = cell.farthest.max(radius);
             }
             self.state.cells[neighbor] = cell;
@@ -41,9 +41,8 @@ impl<const D: usize> State<D> {
     /// Lets the cells of the vertices of `simplex`, which is new, reach as far as its corner.
     pub(in crate::netmesh) fn note_corner(&mut self, simplex: SimplexId) {
         let complex = self.delaunay.complex();
-        let Some(ball) = self.delaunay.ball(simplex) else { return };
+        let Some(radius) = self.delaunay.radius(simplex) else { return };
         if complex.is_live(simplex) {
-            let radius = ball.radius();
             for &vertex in complex.vertices(simplex) {
                 let cell = &mut self.cells[vertex];
                 cell.farthest = cell.farthest.max(radius);

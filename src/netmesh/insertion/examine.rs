@@ -20,8 +20,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         suspects.clear();
         suspects.reserve(created.len())?;
         for &simplex in created.iter() {
-            let Some(ball) = delaunay.ball(simplex) else { continue };
-            let radius = ball.radius();
+            let Some(radius) = delaunay.radius(simplex) else { continue };
             let allowed = measure.nearest_allowed(radius);
             let vertices = delaunay.complex().vertices(simplex);
             let mut near = 0;
@@ -57,7 +56,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut farthest = 0.0f64;
         for at in 0..self.scratch.star.len() {
             let simplex = self.scratch.star[at];
-            let Some(radius) = self.state.delaunay.ball(simplex).map(|ball| ball.radius()) else {
+            let Some(radius) = self.state.delaunay.radius(simplex) else {
                 continue;
             };
             farthest = farthest.max(radius);
@@ -145,8 +144,8 @@ impl<const D: usize> State<D> {
 
     /// Queues a simplex with an edge that is too short, where that is all that counts.
     fn examine_edges(&mut self, simplex: SimplexId) -> AllocResult<()> {
-        let Some(ball) = self.delaunay.ball(simplex) else { return Ok(()) };
-        match self.short_edge(simplex, ball.radius()) {
+        let Some(radius) = self.delaunay.radius(simplex) else { return Ok(()) };
+        match self.short_edge(simplex, radius) {
             Some((_, _, length)) if !self.refine_list.is_limited(simplex) => {
                 self.queue_by(simplex, length)
             }

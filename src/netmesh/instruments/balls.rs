@@ -57,9 +57,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             }
             self.state.delaunay.find_cavity(simplex, &corner, &mut cavity)?;
             let holders = &cavity.simplices;
-            ply.add(
-                holders.iter().filter(|&&s| self.state.delaunay.ball(s).is_some()).count() as u64
-            );
+            ply.add(holders.iter().filter(|&&s| self.state.delaunay.has_ball(s)).count() as u64);
             work += holders.len() as u64;
             self.watch.poll_after(holders.len() as u32)?;
         }

@@ -82,7 +82,7 @@ impl<const D: usize> State<D> {
         let Some(distance) = self.delaunay.corner_distance(simplex, &center) else {
             return Ok(false);
         };
-        let radius = self.delaunay.ball(simplex).map_or(f64::INFINITY, |ball| ball.radius());
+        let radius = self.delaunay.radius(simplex).unwrap_or(f64::INFINITY);
         let depth = self.sphere_radius(domain) - distance;
         let clear = depth > NEAR * radius;
         let Some(corner) = self.delaunay.corner(simplex).filter(|_| clear) else {

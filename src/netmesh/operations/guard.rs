@@ -119,7 +119,7 @@ impl State<3> {
         let vertices = self.delaunay.complex().vertices(simplex);
         let points: [&[f64; 3]; 4] = std::array::from_fn(|at| self.delaunay.point(vertices[at]));
         let least = GUARD * shortest_distance(&points).2;
-        let radius = self.delaunay.ball(simplex).map_or(0.0, |ball| ball.radius());
+        let radius = self.delaunay.radius(simplex).unwrap_or(0.0);
         let is_low = self.facets.floors.are_set() && !self.has_small_angle(simplex);
         let guard = match (purpose, is_low) {
             (Purpose::Size, _) => Guard::Sized { least: least.min(HALF * radius) },

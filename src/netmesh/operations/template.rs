@@ -110,7 +110,8 @@ fn widest_facet<const D: usize>(
     delaunay: &Delaunay<D>,
     star: &[SimplexId],
 ) -> AllocResult<(SimplexId, f64)> {
-    let radius = |simplex: SimplexId| delaunay.ball(simplex).map_or(0.0, |ball| ball.radius());
+    let radius =
+        |simplex: SimplexId| delaunay.circumball(simplex).map_or(0.0, |ball| ball.radius());
     let mut sorted = copied(star)?;
     sorted.sort_unstable();
     Ok(sorted.iter().fold((SimplexId::NONE, 0.0), |best, &simplex| match radius(simplex) {

@@ -38,8 +38,8 @@ impl<const D: usize> BadSimplexView<'_, D> {
     /// to others for the radius, or vertices of several domains.
     #[inline]
     pub fn is_suspect(&self, simplex: SimplexId) -> bool {
-        let Some(ball) = self.delaunay.ball(simplex) else { return false };
-        let allowed = self.measure.nearest_allowed(ball.radius());
+        let Some(radius) = self.delaunay.radius(simplex) else { return false };
+        let allowed = self.measure.nearest_allowed(radius);
         let vertices = self.delaunay.complex().vertices(simplex);
         let is_near = |&&vertex: &&VertexId| self.cells[vertex].nearest < allowed;
         vertices.iter().filter(is_near).count() >= self.measure.near_of_bad()
@@ -49,7 +49,7 @@ impl<const D: usize> BadSimplexView<'_, D> {
     /// Returns true if a live simplex has vertices of several domains.
     #[inline]
     fn spans_domains(&self, simplex: SimplexId) -> bool {
-        let is_finite = self.delaunay.ball(simplex).is_some();
+        let is_finite = self.delaunay.has_ball(simplex);
         is_finite && !self.hierarchy.same_domain(self.delaunay.complex().vertices(simplex))
     }
 
@@ -57,8 +57,8 @@ impl<const D: usize> BadSimplexView<'_, D> {
     /// of a cage: the corner is beyond the bound of a union cell, or the cell of a near vertex has
     /// a bound. The hierarchy must be compressed.
     fn may_be_bad(&self, simplex: SimplexId) -> bool {
-        let Some(ball) = self.delaunay.ball(simplex) else { return false };
-        let allowed = self.measure.nearest_allowed(ball.radius());
+        let Some(radius) = self.delaunay.radius(simplex) else { return false };
+        let allowed = self.measure.nearest_allowed(radius);
         let vertices = self.delaunay.complex().vertices(simplex);
         let has_bound = |vertex: VertexId| match self.measure.criterion {
             Criterion::VoronoiAspect => !self.hierarchy.cage_of(vertex).is_valid(),

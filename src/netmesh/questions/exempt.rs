@@ -90,7 +90,7 @@ impl<const D: usize> State<D> {
 
     /// Returns true if a live simplex is beyond the bound, and stays because it is forced.
     pub(in crate::netmesh) fn is_bad_but_forced(&self, simplex: SimplexId) -> bool {
-        let radius = self.delaunay.ball(simplex).map_or(0.0, |ball| ball.radius());
+        let radius = self.delaunay.radius(simplex).unwrap_or(0.0);
         let may_be = match self.as_space() {
             Some(state) => !state.is_flat(simplex) && self.is_in_one_domain(simplex),
             None => self.is_forced(simplex),

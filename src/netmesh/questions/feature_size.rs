@@ -27,9 +27,9 @@ impl State<3> {
         let mut reached: Vec<SimplexId> = Vec::new();
         reached.try_extend(&star)?;
         self.facets.star = star;
-        self.delaunay.begin_marks();
+        self.delaunay.begin_marks()?;
         for &simplex in &reached {
-            self.delaunay.mark(simplex);
+            self.delaunay.mark(simplex)?;
         }
         let mut least = f64::INFINITY;
         while let Some(simplex) = reached.pop() {
@@ -44,7 +44,7 @@ impl State<3> {
                 if !complex.is_inside(beyond)
                     && distance_to_triangle(&x, self.points_of(face)) < least
                 {
-                    self.delaunay.mark(beyond);
+                    self.delaunay.mark(beyond)?;
                     reached.try_push(beyond)?;
                 }
             }

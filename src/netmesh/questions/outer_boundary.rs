@@ -26,8 +26,8 @@ impl Mesher<'_, '_, 3> {
             (self.state.outer_reach(domain), self.state.hierarchy.node(domain).point);
         let mut reached: Vec<SimplexId> = Vec::new();
         reached.try_push(start)?;
-        self.state.delaunay.begin_marks();
-        self.state.delaunay.mark(start);
+        self.state.delaunay.begin_marks()?;
+        self.state.delaunay.mark(start)?;
         while let Some(simplex) = reached.pop() {
             self.watch.poll_after(4)?;
             if self.state.is_passed_over(simplex, domain) {
@@ -43,7 +43,7 @@ impl Mesher<'_, '_, 3> {
                 if !complex.is_inside(beyond)
                     && distance_to_triangle(&center, self.state.points_of(face)) < reach
                 {
-                    self.state.delaunay.mark(beyond);
+                    self.state.delaunay.mark(beyond)?;
                     reached.try_push(beyond)?;
                 }
             }

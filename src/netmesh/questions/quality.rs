@@ -19,8 +19,7 @@ impl<const D: usize> State<D> {
     /// Returns true if the Voronoi corner of a live simplex makes a cell, or the union cell of a
     /// cage, bad.
     pub(in crate::netmesh) fn is_bad(&mut self, simplex: SimplexId) -> bool {
-        let Some(ball) = self.delaunay.ball(simplex) else { return false };
-        let radius = ball.radius();
+        let Some(radius) = self.delaunay.radius(simplex) else { return false };
         if self.refine_list.is_limited(simplex) {
             return false;
         }
@@ -214,7 +213,7 @@ impl<const D: usize> State<D> {
     /// Returns the domain through whose cage the corner of a live simplex slips and makes a cell
     /// bad.
     pub(in crate::netmesh) fn open_domain(&mut self, simplex: SimplexId) -> Option<DomainId> {
-        let radius = self.delaunay.ball(simplex)?.radius();
+        let radius = self.delaunay.radius(simplex)?;
         if !self.stage.is_final || self.refine_list.is_limited(simplex) {
             return None;
         }

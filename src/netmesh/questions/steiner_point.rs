@@ -59,7 +59,7 @@ impl<const D: usize> State<D> {
     /// Returns the corner of `simplex`. `None` if rounding moved it out of the D-ball, or closer to
     /// a vertex than half the radius.
     pub(in crate::netmesh) fn sound_corner(&self, simplex: SimplexId) -> Option<SteinerPoint<D>> {
-        let radius = self.delaunay.ball(simplex)?.radius();
+        let radius = self.delaunay.radius(simplex)?;
         let point = self.delaunay.corner(simplex)?;
         let corner = SteinerPoint { point, radius, is_corner: true };
         let vertices = self.delaunay.complex().vertices(simplex);

@@ -78,16 +78,16 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut farthest = (allowed, None);
         for &simplex in self.scratch.star.iter() {
             // The cells of the hull are unbounded.
-            let Some(ball) = self.state.delaunay.ball(simplex) else { return Ok(None) };
+            let Some(radius) = self.state.delaunay.radius(simplex) else { return Ok(None) };
             let is_inside = |corner: [f64; D]| {
                 self.state.hierarchy.distance_to_center(ROOT, &corner) <= max_distance
             };
             // Doubles may be too coarse for one corner and not for the next.
-            if ball.radius() > farthest.0
+            if radius > farthest.0
                 && !self.state.refine_list.is_limited(simplex)
                 && self.state.delaunay.corner(simplex).is_some_and(is_inside)
             {
-                farthest = (ball.radius(), Some(simplex));
+                farthest = (radius, Some(simplex));
             }
         }
         let (reach, simplex) = farthest;

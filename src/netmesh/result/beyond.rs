@@ -53,8 +53,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
             let others = vertices.iter().filter(|&&other| other.is_valid() && other != vertex);
             let distances = others.map(|&other| distance(x, self.state.delaunay.point(other)));
             nearest = distances.fold(nearest, f64::min);
-            let radius = self.state.delaunay.ball(simplex).map_or(0.0, Circumball::radius);
-            farthest = farthest.max(radius);
+            let ball = self.state.delaunay.circumball(simplex);
+            farthest = farthest.max(ball.map_or(0.0, |ball| ball.radius()));
         }
         Ok(farthest > half_aspect * nearest)
     }

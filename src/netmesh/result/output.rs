@@ -1,6 +1,6 @@
 //! From the state of a run to plain data: finite simplices and living domains, renumbered.
 
-use crate::complex::VertexId;
+use crate::complex::{SimplexId, VertexId};
 use crate::error::Result;
 use crate::memory::{AllocError, AllocResult, Array, TryGrow, collected, filled, with_capacity};
 use crate::mesh::{Domain, MAX_DIM, NONE, Triangulation, VertexKind};
@@ -13,6 +13,9 @@ use crate::netmesh::state::workers::{PIECE, on_threads, pieces};
 use crate::netmesh::state::{Mesher, Scratch, State};
 use crate::options::{Algorithm, Phase};
 use std::time::Instant;
+
+/// The number of pieces after which the simplices that are in the result are given back.
+const GIVEN_BACK: usize = 32;
 
 impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
     pub(in crate::netmesh) fn into_triangulation(
@@ -99,42 +102,52 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
         Ok(())
     }
 
-    /// Returns the vertices and neighbours of the finite simplices.
+    /// Returns the vertices and neighbours of the finite simplices, and forgets all simplices as it
+    /// goes: the result takes the memory that the mesh gives back. The last come first, for an
+    /// array ends where it gives memory back.
     fn finite_simplices(&mut self, numbering: &Numbering) -> Result<(Vec<u32>, Vec<u32>)> {
         let Numbering { vertices, simplices: numbers, counts, .. } = numbering;
         let reserves = collected(counts.iter().map(|count| count * (D + 1)))?;
         let (mut simplices, mut neighbors) = (Array::new(), Array::new());
-        let shares =
-            shares(&mut simplices, &reserves)?.into_iter().zip(shares(&mut neighbors, &reserves)?);
-        let threads = self.state.threads();
-        let Self { state, watch, .. } = self;
-        let complex = state.delaunay.complex();
+        let mut inside = collected(
+            shares(&mut simplices, &reserves)?.into_iter().zip(shares(&mut neighbors, &reserves)?),
+        )?;
         // Each piece has a share for what is inside and one for what is outside.
-        let work = pieces(numbers.len()).chain(pieces(numbers.len())).zip(shares).enumerate();
+        let outside = inside.split_off(counts.len() / 2);
+        let sides = inside.into_iter().zip(outside).map(|(inside, outside)| [inside, outside]);
+        let mut shares = collected(pieces(numbers.len()).zip(sides))?;
+        let mut filled = with_capacity(shares.len())?;
+        let threads = self.state.threads();
         let first_outside = numbering.inside_simplices as u32;
-        let filled =
-            on_threads(threads, watch, work, |(at, (piece, (mut simplices, mut neighbors)))| {
-                let own = match at < counts.len() / 2 {
-                    true => 0..first_outside,
-                    false => first_outside..NONE,
-                };
+        while !shares.is_empty() {
+            let begin = shares.len().saturating_sub(GIVEN_BACK);
+            let work = shares.drain(begin..);
+            let Self { state, watch, .. } = self;
+            let complex = state.delaunay.complex();
+            filled.push(on_threads(threads, watch, work, |(piece, mut sides)| {
                 let mut row = [NONE; MAX_DIM + 1];
                 let row = &mut row[..=D];
-                for simplex in piece.filter(|&simplex| own.contains(&numbers[simplex])) {
+                for simplex in piece.filter(|&simplex| numbers[simplex] != NONE) {
+                    let own = &mut sides[usize::from(numbers[simplex] >= first_outside)];
                     for (number, &vertex) in row.iter_mut().zip(complex.vertices(simplex)) {
                         *number = vertices[vertex];
                     }
-                    simplices.try_extend(row)?;
+                    own.0.try_extend(row)?;
                     for (number, &neighbor) in row.iter_mut().zip(complex.neighbors(simplex)) {
                         *number = numbers[neighbor];
                     }
-                    neighbors.try_extend(row)?;
+                    own.1.try_extend(row)?;
                 }
-                Ok((simplices, neighbors))
-            })?;
-        for (own_simplices, own_neighbors) in filled {
-            simplices.absorb(own_simplices)?;
-            neighbors.absorb(own_neighbors)?;
+                Ok(sides)
+            })?);
+            state.delaunay.forget_from(SimplexId::new(begin * PIECE));
+        }
+        for side in 0..2 {
+            for of_piece in filled.iter_mut().rev().flatten() {
+                let (own_simplices, own_neighbors) = std::mem::take(&mut of_piece[side]);
+                simplices.absorb(own_simplices)?;
+                neighbors.absorb(own_neighbors)?;
+            }
         }
         debug_assert!(!simplices.contains(&NONE));
         Ok((simplices.into_vec()?, neighbors.into_vec()?))

@@ -69,11 +69,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
         for simplex in self.state.delaunay.complex().simplices() {
             self.watch.poll_after(1)?;
             let State { delaunay, cells, .. } = &mut self.state;
-            let Some(ball) = delaunay.ball(simplex) else { continue };
+            let Some(radius) = delaunay.radius(simplex) else { continue };
             if !delaunay.complex().is_live(simplex) {
                 continue;
             }
-            let (radius, vertices) = (ball.radius(), delaunay.complex().vertices(simplex));
+            let vertices = delaunay.complex().vertices(simplex);
             for (at, &vertex) in vertices.iter().enumerate() {
                 cells[vertex].farthest = cells[vertex].farthest.max(radius);
                 for &other in &vertices[..at] {

@@ -38,8 +38,8 @@ impl Mesher<'_, '_, 3> {
         slivers: &mut Slivers,
     ) -> Result<Vec<Insertion>> {
         let mut best: Vec<Insertion> = Vec::new();
-        let ball = self.state.delaunay.ball(sliver.simplex).map(|ball| ball.radius());
-        let Some((center, radius)) = self.state.delaunay.corner(sliver.simplex).zip(ball) else {
+        let radius = self.state.delaunay.radius(sliver.simplex);
+        let Some((center, radius)) = self.state.delaunay.corner(sliver.simplex).zip(radius) else {
             return Ok(best);
         };
         for number in 0..count {
@@ -92,7 +92,7 @@ impl Mesher<'_, '_, 3> {
         let Some(domain) = self.state.common_domain(&slivers.cavity) else { return Ok(None) };
         let Slivers { measure, penalties, cone, cavity, .. } = slivers;
         let view = View::new(&self.state, self.sizes.as_ref(), penalties, measure);
-        let is_infinite = |&simplex: &SimplexId| view.delaunay.ball(simplex).is_none();
+        let is_infinite = |&simplex: &SimplexId| !view.delaunay.has_ball(simplex);
         if cavity.simplices.iter().any(is_infinite) || !view.hierarchy.contains(domain, x) {
             return Ok(None);
         }

@@ -93,7 +93,7 @@ impl Mesher<'_, '_, 3> {
         let domain = self.state.hierarchy.domain_of(vertex);
         let view = View::new(&self.state, self.sizes.as_ref(), penalties, measure);
         let ball = into.and_then(|sliver| {
-            let radius = view.delaunay.ball(sliver.simplex)?.radius();
+            let radius = view.delaunay.radius(sliver.simplex)?;
             view.delaunay.corner(sliver.simplex).map(|center| (center, radius))
         });
         let from = *view.delaunay.point(vertex);

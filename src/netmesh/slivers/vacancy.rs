@@ -199,7 +199,7 @@ impl Vacancy {
         let (mut near, mut left) = (None, 0.0);
         for (number, ball) in self.hole.balls.iter().enumerate() {
             let vertices = self.hole.filling.vertices(number as u32);
-            let anchor = view.delaunay.point(vertices[ball.anchor as usize]);
+            let anchor = view.delaunay.point(vertices[ball.anchor]);
             let is_inside = ball.side(anchor, x)?;
             self.is_inside[number] = is_inside;
             if is_inside {
@@ -225,7 +225,7 @@ impl Vacancy {
         while let Some(&simplex) = self.outside.get(next) {
             next += 1;
             let vertices = complex.vertices(simplex);
-            let is_usual = view.delaunay.ball(simplex).is_some()
+            let is_usual = view.delaunay.has_ball(simplex)
                 && view.hierarchy.same_domain(vertices)
                 && next <= MOST_OUTSIDE;
             if !is_usual {

@@ -12,22 +12,13 @@ use crate::error::Result;
 use crate::memory::{AllocResult, Array, TryGrow};
 use crate::netmesh::state::watch::Watch;
 
-/// The conflict list of one simplex.
-#[derive(Clone, Copy)]
-pub(in crate::netmesh) struct ConflictList {
-    /// The first entry, and the number of entries.
-    first: VertexId,
-    count: u32,
-}
-
-impl ConflictList {
-    const EMPTY: Self = Self { first: VertexId::NONE, count: 0 };
-}
-
 #[derive(Clone, Copy)]
 struct Entry {
     /// The next entry of the same list.
     next: VertexId,
+    /// The number of entries from this one to the end of the list. With simplices, of which there
+    /// are many more than inputs, it would take more memory.
+    count: u32,
     /// The simplex whose list this is on; none once the input is inserted.
     simplex: SimplexId,
     /// Touches, as in Definition 9.
@@ -35,12 +26,13 @@ struct Entry {
 }
 
 impl Entry {
-    const UNASSIGNED: Self = Self { next: VertexId::NONE, simplex: SimplexId::NONE, touches: 0 };
+    const UNASSIGNED: Self =
+        Self { next: VertexId::NONE, count: 0, simplex: SimplexId::NONE, touches: 0 };
 }
 
 pub(in crate::netmesh) struct ConflictLists {
-    /// Simplex -> its list.
-    lists: Array<ConflictList>,
+    /// Simplex -> the first entry of its list; none if that is empty.
+    lists: Array<VertexId>,
     /// Input -> its entry.
     inputs: Array<Entry>,
     remaining: usize,
@@ -93,14 +85,17 @@ impl ConflictLists {
 
     /// Returns the number of inputs on the list of `simplex`.
     pub fn count(&self, simplex: SimplexId) -> u32 {
-        // Simplices made after the last input went in are not covered.
-        self.lists.get(simplex.index()).map_or(0, |list| list.count)
+        self.inputs.get(self.first(simplex).index()).map_or(0, |entry| entry.count)
     }
 
     pub fn entries(&self, simplex: SimplexId) -> Entries<'_> {
-        // As for `count`.
-        let list = self.lists.get(simplex.index()).unwrap_or(&ConflictList::EMPTY);
-        Entries { inputs: &self.inputs, current: list.first }
+        Entries { inputs: &self.inputs, current: self.first(simplex) }
+    }
+
+    /// Returns the first entry of the list of `simplex`; none if that is empty.
+    fn first(&self, simplex: SimplexId) -> VertexId {
+        // Simplices made after the last input went in are not covered.
+        self.lists.get(simplex.index()).copied().unwrap_or(VertexId::NONE)
     }
 
     /// Touches of `input` so far.
@@ -118,7 +113,7 @@ impl ConflictLists {
 
     /// Makes empty lists for the simplices below `bound`.
     pub fn cover(&mut self, bound: usize) -> AllocResult<()> {
-        self.lists.cover(bound, ConflictList::EMPTY)
+        self.lists.cover(bound, VertexId::NONE)
     }
 
     /// Reserves memory for the lists of `simplices` simplices if the system gives it.
@@ -133,11 +128,10 @@ impl ConflictLists {
 
     /// Puts `input`, which is on no list, on that of `simplex`.
     pub fn assign(&mut self, input: VertexId, simplex: SimplexId) {
-        let list = &mut self.lists[simplex];
+        let next = std::mem::replace(&mut self.lists[simplex], input);
+        let count = 1 + self.inputs.get(next.index()).map_or(0, |entry| entry.count);
         let entry = &mut self.inputs[input];
-        (entry.next, entry.simplex) = (list.first, simplex);
-        list.first = input;
-        list.count += 1;
+        (entry.next, entry.count, entry.simplex) = (next, count, simplex);
     }
 
     /// Frees the lists when all inputs are inserted.
@@ -159,7 +153,7 @@ impl ConflictLists {
 
     /// Empties all lists, whose entries are on none then.
     pub fn empty_lists(&mut self) {
-        self.lists.fill(ConflictList::EMPTY);
+        self.lists.fill(VertexId::NONE);
     }
 
     /// Splits the spare memory for lists: `reserves` has the number of simplices for each share.
@@ -168,13 +162,13 @@ impl ConflictLists {
         &mut self,
         reserves: &[usize],
         bound: usize,
-    ) -> Option<Vec<Array<ConflictList>>> {
+    ) -> Option<Vec<Array<VertexId>>> {
         self.cover(bound).ok()?;
         self.lists.split_reserve(reserves)
     }
 
     /// Moves to `reserve`, which is empty.
-    pub fn move_to(&mut self, reserve: Array<ConflictList>) -> AllocResult<()> {
+    pub fn move_to(&mut self, reserve: Array<VertexId>) -> AllocResult<()> {
         self.lists.move_into(reserve)
     }
 
@@ -197,7 +191,7 @@ impl ConflictLists {
         local_to_global: &LocalToGlobal,
         bound: usize,
     ) -> AllocResult<()> {
-        partition.lists.fill(ConflictList::EMPTY);
+        partition.lists.fill(VertexId::NONE);
         partition.cover(local_to_global.simplices.len())?;
         self.cover(bound - local_to_global.simplices.len())?;
         self.lists.absorb(partition.lists)?;
@@ -228,8 +222,7 @@ impl ConflictLists {
         }
         self.cover(delaunay.complex().simplex_bound())?;
         for (at, &simplex) in cavity.simplices.iter().enumerate() {
-            let list = std::mem::replace(&mut self.lists[simplex], ConflictList::EMPTY);
-            let mut input = list.first;
+            let mut input = std::mem::replace(&mut self.lists[simplex], VertexId::NONE);
             if !input.is_valid() {
                 continue;
             }

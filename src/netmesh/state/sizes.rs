@@ -81,7 +81,7 @@ impl<'a, const D: usize> Sizes<'a, D> {
         simplex: SimplexId,
         max_edge: f64,
     ) -> Result<f64> {
-        let Some(ball) = delaunay.ball(simplex) else { return Ok(0.0) };
+        let Some(radius) = delaunay.radius(simplex) else { return Ok(0.0) };
         let vertices = delaunay.complex().vertices(simplex);
         let mut points = [delaunay.point(vertices[0]); MAX_DIM + 1];
         for (point, &vertex) in points.iter_mut().zip(vertices) {
@@ -95,7 +95,7 @@ impl<'a, const D: usize> Sizes<'a, D> {
         for (&vertex, &point) in vertices.iter().zip(points) {
             size = size.min(self.ask(vertex, point)?);
         }
-        Ok(excess_of(points, ball.radius(), size, max_edge.min(self.max_edge)))
+        Ok(excess_of(points, radius, size, max_edge.min(self.max_edge)))
     }
 
     /// Returns true if a simplex may be made that has these vertices, with the vertex number `apex`

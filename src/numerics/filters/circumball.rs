@@ -1,7 +1,7 @@
 //! The circumball of a simplex with a rigorous error bound: the filter of all conflict tests.
 
 use super::cramer::{self, MAX_CRAMER, square};
-use super::f64x2::{F64x2, Real};
+use super::f64x2::Real;
 use super::precise::precise_circumcenter;
 use super::solve::solve;
 use crate::numerics::MAX_DIM;
@@ -14,20 +14,24 @@ use std::ops::RangeInclusive;
 mod tests;
 
 /// Circumball of a simplex. Its centre is relative to one of the vertices and scaled by a power of
-/// two, so that it is as accurate for tiny and huge simplices as for others. It takes half a cache
-/// line in space.
+/// two, so that it is as accurate for tiny and huge simplices as for others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Circumball<const D: usize> {
     /// Vector (circumcentre - anchor point) / unit. If the exponent is not -1, the largest
     /// magnitude is in [2, 4) unless the exponent had to be clamped. Infinite if the centre cannot
     /// be used.
     pub center: [f64; D],
-    /// Vertex that `center` is relative to, as its index in the simplex. A caller may put an id of
-    /// its own in place of the index ([`Self::anchored`]). No two vertices are much nearer to each
-    /// other than both are to the anchor: it is an endpoint of the shortest edge in the sum norm,
-    /// or the simplex is not [`FLAT`] at it.
-    pub anchor: u32,
-    precision: Precision,
+    /// Index in the simplex of the vertex that `center` is relative to. No two vertices are much
+    /// nearer to each other than both are to it: it is an endpoint of the shortest edge in the sum
+    /// norm, or the simplex is not [`FLAT`] at it.
+    pub anchor: usize,
+    /// No component of `center` is further from the exact one than this, less D + 5 units of
+    /// roundoff of its length, which pay for [`Self::side`]. Infinite if the centre cannot be used.
+    pub error: f64,
+    /// Exponent of the unit of `center` and `error`, 2^exponent real ones, from -1000 to 1000. It
+    /// is -1 if the circumradius is about 2^-70 to 2^100 ([`PLAIN_EXPONENTS`]): `center` is then
+    /// twice the centre in real units.
+    pub exponent: i16,
 }
 
 /// Largest relative error of a centre's largest component; a less certain centre is recomputed in
@@ -35,7 +39,7 @@ pub struct Circumball<const D: usize> {
 const ACCEPTED: f64 = 1e-9;
 
 /// Exponent of the balls that [`Circumball::side`] need not scale.
-const PLAIN: i16 = -1;
+pub(super) const PLAIN: i16 = -1;
 
 /// Exponents of centres with the unit 2^[`PLAIN`]: their errors, 2^-51 to 2^-29 of them, are normal
 /// numbers of single precision.
@@ -43,21 +47,21 @@ const PLAIN_EXPONENTS: RangeInclusive<i32> = -70..=100;
 
 /// Largest ratio, for the first vertex to be the anchor, of the volume of a box with the lengths of
 /// its edges to the volume that these span. Points near another vertex lose log2 of it in bits.
-const FLAT: f64 = 128.0;
+pub(super) const FLAT: f64 = 128.0;
 
 /// Largest such ratio for an endpoint of the shortest edge to be the anchor, where only the error
 /// grows.
 const FLATTER: f64 = 1024.0;
 
 /// Returns the share of the centre's length that `error` contains for [`Circumball::side`].
-const fn side_units(dim: usize) -> f64 {
+pub(super) const fn side_units(dim: usize) -> f64 {
     (dim + 5) as f64 * UNIT
 }
 
 impl<const D: usize> Circumball<D> {
     /// Ball of a flat simplex, or of one with a radius out of range, which decides nothing.
     pub const UNUSABLE: Self =
-        Self { center: [f64::INFINITY; D], anchor: 0, precision: Precision::NONE };
+        Self { center: [f64::INFINITY; D], anchor: 0, error: f64::INFINITY, exponent: PLAIN };
 
     /// Returns the circumball of `D + 1` finite, affinely independent points. For flat simplices
     /// and those with a radius beyond 2^1030 the error and the radius are infinite and nothing is
@@ -77,32 +81,6 @@ impl<const D: usize> Circumball<D> {
         Self::by_cramer(&vertex, 0, FLAT).unwrap_or_else(|| Self::with_care(&vertex))
     }
 
-    /// Returns the circumballs of two simplices, in less than twice the time of one; `None` unless
-    /// both simplices have an ordinary size and shape.
-    #[inline(always)]
-    pub fn ordinary_pair<'a>(
-        first: impl Fn(usize) -> &'a [f64; D],
-        second: impl Fn(usize) -> &'a [f64; D],
-    ) -> Option<[Self; 2]> {
-        if D > MAX_CRAMER {
-            return None;
-        }
-        let both = |i: usize, k: usize| F64x2::new(first(i)[k], second(i)[k]);
-        let origin: [F64x2; D] = std::array::from_fn(|k| both(0, k));
-        let edge = |r| std::array::from_fn(|k| both(r + 1, k) - origin[k]);
-        let centers = cramer::circumcenter(&std::array::from_fn(edge));
-        if !centers.is_usable(FLAT) || !is_ordinary(centers.diameter) {
-            return None;
-        }
-        let error = (centers.error + F64x2::of(side_units(D)) * centers.diameter).get();
-        let [first, second] = std::array::from_fn(|lane| Self {
-            center: centers.twice.map(|x| x.get()[lane]),
-            anchor: 0,
-            precision: Precision::plain(error[lane]),
-        });
-        Some([first, second])
-    }
-
     /// Returns the ball of a simplex of ordinary size and shape; `None` for others, and beyond
     /// dimension [`MAX_CRAMER`].
     #[inline(always)]
@@ -118,8 +96,8 @@ impl<const D: usize> Circumball<D> {
         if !center.is_usable(flatness) || !is_ordinary(center.diameter) {
             return None;
         }
-        let precision = Precision::plain(center.error + side_units(D) * center.diameter);
-        Some(Self { center: center.twice, anchor: anchor as u32, precision })
+        let error = center.error + side_units(D) * center.diameter;
+        Some(Self { center: center.twice, anchor, error, exponent: PLAIN })
     }
 
     #[cold]
@@ -198,45 +176,22 @@ impl<const D: usize> Circumball<D> {
         let factor = 2.0 * power_of_two(shift);
         let center = half.map(|x| x * factor);
         let error = error * factor + side_units(D) * norm(&center);
-        let precision = Precision::new(error, PLAIN + (k - shift) as i16);
-        Self { center, anchor: anchor as u32, precision }
-    }
-
-    /// Returns the ball with `anchor` as the id of its anchor.
-    #[inline]
-    pub const fn anchored(self, anchor: u32) -> Self {
-        Self { anchor, ..self }
-    }
-
-    /// Returns the error: no component of `center` is further from the exact one than this, less
-    /// D + 5 units of roundoff of its length, which pay for [`Self::side`]. Infinite if the centre
-    /// cannot be used.
-    #[inline]
-    pub fn error(&self) -> f64 {
-        self.precision.error()
-    }
-
-    /// Returns the exponent of the unit of `center` and `error`, 2^exponent real ones, from -1000
-    /// to 1000. It is -1 if the circumradius is about 2^-70 to 2^100 ([`PLAIN_EXPONENTS`]):
-    /// `center` is then twice the centre in real units.
-    #[inline]
-    pub fn exponent(&self) -> i16 {
-        self.precision.exponent()
+        Self { center, anchor, error, exponent: PLAIN + (k - shift) as i16 }
     }
 
     /// Returns the number of real units per unit of `center`.
     #[inline]
     pub fn unit(&self) -> f64 {
-        power_of_two(i32::from(self.exponent()))
+        power_of_two(i32::from(self.exponent))
     }
 
     /// Returns the circumradius in real units, within 1e-8 relatively if `error` is finite;
     /// infinite if it exceeds `f64::MAX`.
     #[inline]
     pub fn radius(&self) -> f64 {
-        match self.precision.is_plain() {
-            true => 0.5 * square(&self.center).sqrt(),
-            false => scale_by_power(norm(&self.center), i64::from(self.exponent())),
+        match self.exponent {
+            PLAIN => 0.5 * square(&self.center).sqrt(),
+            _ => scale_by_power(norm(&self.center), i64::from(self.exponent)),
         }
     }
 
@@ -249,9 +204,9 @@ impl<const D: usize> Circumball<D> {
     /// huge ball.
     #[inline]
     pub fn side(&self, anchor_point: &[f64; D], q: &[f64; D]) -> Option<bool> {
-        if self.precision.is_plain() {
+        if self.exponent == PLAIN {
             let w = std::array::from_fn(|i| q[i] - anchor_point[i]);
-            let side = self.side_of(w, self.precision.plain_error());
+            let side = side_of(w, &self.center, self.error);
             if side.is_some() {
                 return side;
             }
@@ -263,34 +218,9 @@ impl<const D: usize> Circumball<D> {
     #[cold]
     #[inline(never)]
     fn rare_side(&self, anchor_point: &[f64; D], q: &[f64; D]) -> Option<bool> {
-        let scale = power_of_two(-1 - i32::from(self.exponent()));
+        let scale = power_of_two(-1 - i32::from(self.exponent));
         let scaled = std::array::from_fn(|i| (q[i] - anchor_point[i]) * scale);
-        self.side_of(scaled, self.error()).or_else(|| self.is_far(&scaled).then_some(false))
-    }
-
-    /// Returns the side of w, scaled, of a ball with this `error`.
-    ///
-    /// Proof of the bound. Let p = w.(w - C) for the exact w and C, u the roundoff. Beside what the
-    /// error of C makes of it, error |w|_1, the computed p is wrong by at most
-    /// (D + 2)u |w||w - C| + u |w|^2: each product carries the roundings of w, of w - C, its own
-    /// and D - 1 sums, and w is rounded in w - C too. If p <= 0, w is in the ball and both |w| and
-    /// |w - C| are at most
-    /// |C|: that is within (D + 3)u |C||w|_1, and two more units pay for the roundings in the
-    /// bound; so a computed p beyond the bound is not so. If p > 0 and the computed one is less
-    /// than -bound, its error exceeds p + (D + 5)u |C||w|. Now |w|^2 + |w - C|^2 = |C|^2 + 2p, so
-    /// for p <= |C|^2 both are at most |C| + p/|C| <= 2|C| and the error at most (D + 3)u |w|
-    /// (|C| + p/|C|) <= (D + 3)u |C||w| + 2(D + 3)u p; for p > |C|^2 it is at most (D + 3)u 3p:
-    /// less in both cases. TINY pays for underflow. With overflow p or the bound is infinite: an
-    /// infinite p with a finite bound is right, as p is less than the square of a length that
-    /// overflows only far away.
-    #[inline(always)]
-    fn side_of(&self, w: [f64; D], error: f64) -> Option<bool> {
-        let terms: [f64; D] = std::array::from_fn(|i| w[i] * (w[i] - self.center[i]));
-        let power = terms[1..].iter().fold(terms[0], |power, x| power + x);
-        let sum = w[1..].iter().fold(w[0].abs(), |sum, x| sum + x.abs());
-        // False if anything is NaN.
-        let is_decided = power.abs() > error * sum + TINY;
-        is_decided.then_some(power < 0.0)
+        side_of(scaled, &self.center, self.error).or_else(|| self.is_far(&scaled).then_some(false))
     }
 
     /// Returns the approximate power of `q` with respect to the ball, in real units; may be
@@ -309,7 +239,17 @@ impl<const D: usize> Circumball<D> {
     fn is_far(&self, w: &[f64; D]) -> bool {
         const FAR: f64 = power_of_two(500);
         // Infinite differences of finite points are at least 2^1023: far unless the unit is huge.
-        self.error() < FAR && self.exponent() < 500 && w.iter().any(|x| x.abs() >= FAR)
+        self.error < FAR && self.exponent < 500 && w.iter().any(|x| x.abs() >= FAR)
+    }
+
+    /// Returns the distance of the unrounded circumcentre from `x`; NaN or infinite if out of
+    /// range.
+    #[inline]
+    pub fn center_distance(&self, anchor_point: &[f64; D], x: &[f64; D]) -> f64 {
+        let unit = self.unit();
+        let offset: [f64; D] =
+            std::array::from_fn(|i| (anchor_point[i] - x[i]) + self.center[i] * unit);
+        norm(&offset)
     }
 
     /// Returns the circumcentre in real coordinates, rounded; not finite where it overflows or
@@ -321,64 +261,38 @@ impl<const D: usize> Circumball<D> {
     }
 }
 
+/// Returns the side of w, scaled, of a ball with this `center` and `error`.
+///
+/// Proof of the bound. Let p = w.(w - C) for the exact w and C, u the roundoff. Beside what the
+/// error of C makes of it, error |w|_1, the computed p is wrong by at most
+/// (D + 2)u |w||w - C| + u |w|^2: each product carries the roundings of w, of w - C, its own
+/// and D - 1 sums, and w is rounded in w - C too. If p <= 0, w is in the ball and both |w| and
+/// |w - C| are at most
+/// |C|: that is within (D + 3)u |C||w|_1, and two more units pay for the roundings in the
+/// bound; so a computed p beyond the bound is not so. If p > 0 and the computed one is less
+/// than -bound, its error exceeds p + (D + 5)u |C||w|. Now |w|^2 + |w - C|^2 = |C|^2 + 2p, so
+/// for p <= |C|^2 both are at most |C| + p/|C| <= 2|C| and the error at most (D + 3)u |w|
+/// (|C| + p/|C|) <= (D + 3)u |C||w| + 2(D + 3)u p; for p > |C|^2 it is at most (D + 3)u 3p:
+/// less in both cases. TINY pays for underflow. With overflow p or the bound is infinite: an
+/// infinite p with a finite bound is right, as p is less than the square of a length that
+/// overflows only far away.
+#[inline(always)]
+pub(super) fn side_of<const D: usize>(w: [f64; D], center: &[f64; D], error: f64) -> Option<bool> {
+    let terms: [f64; D] = std::array::from_fn(|i| w[i] * (w[i] - center[i]));
+    let power = terms[1..].iter().fold(terms[0], |power, x| power + x);
+    let sum = w[1..].iter().fold(w[0].abs(), |sum, x| sum + x.abs());
+    // False if anything is NaN.
+    let is_decided = power.abs() > error * sum + TINY;
+    is_decided.then_some(power < 0.0)
+}
+
 /// Diameters of balls with the unit 2^[`PLAIN`].
 const ORDINARY: RangeInclusive<f64> =
     power_of_two(*PLAIN_EXPONENTS.start())..=power_of_two(*PLAIN_EXPONENTS.end());
 
 #[inline(always)]
-fn is_ordinary<R: Real>(diameter: R) -> bool {
+pub(super) fn is_ordinary<R: Real>(diameter: R) -> bool {
     R::of(*ORDINARY.start()).is_at_most(diameter) && diameter.is_at_most(R::of(*ORDINARY.end()))
-}
-
-/// Error bound and exponent in four bytes: a positive number of single precision with the exponent,
-/// less [`PLAIN`], in place of its last bits.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Precision(u32);
-
-impl Precision {
-    const EXPONENT_BITS: u32 = 11;
-    const EXPONENT: u32 = (1 << Self::EXPONENT_BITS) - 1;
-
-    /// Infinite error.
-    const NONE: Self = Self(f32::INFINITY.to_bits());
-
-    /// Packs an error, rounded up by 2^-11 of itself at most (of 2^-126 if it is less), and an
-    /// exponent from -1000 to 1000.
-    #[inline]
-    fn new(error: f64, exponent: i16) -> Self {
-        let nearest = (error as f32).to_bits() & !Self::EXPONENT;
-        let above = (nearest + Self::EXPONENT + 1).min(Self::NONE.0);
-        Self(above | (exponent - PLAIN) as u32 & Self::EXPONENT)
-    }
-
-    /// Packs an error below 2^127 with the plain exponent, as [`Self::new`] does.
-    #[inline]
-    fn plain(error: f64) -> Self {
-        debug_assert!(error < power_of_two(127));
-        Self(((error as f32).to_bits() | Self::EXPONENT) + 1)
-    }
-
-    #[inline]
-    fn is_plain(self) -> bool {
-        self.0 & Self::EXPONENT == 0
-    }
-
-    /// Returns the error of a precision with the plain exponent.
-    #[inline]
-    fn plain_error(self) -> f64 {
-        f64::from(f32::from_bits(self.0))
-    }
-
-    #[inline]
-    fn error(self) -> f64 {
-        f64::from(f32::from_bits(self.0 & !Self::EXPONENT))
-    }
-
-    #[inline]
-    fn exponent(self) -> i16 {
-        let unused = 32 - Self::EXPONENT_BITS;
-        PLAIN + ((self.0 << unused) as i32 >> unused) as i16
-    }
 }
 
 /// Returns the edges from the anchor to the other vertices.

@@ -3,8 +3,8 @@
 //!
 //! A simplex is a record of 32-bit numbers: the ids of its vertices and of the neighbours opposite
 //! them. A search reads them one after the other: in space they are half a cache line. Dead records
-//! wait in a stack for reuse. All simplices are oriented alike: replacing a vertex of one by a point
-//! on the same side keeps the orientation, so a cavity is retriangulated without a single
+//! wait in a stack for reuse. All simplices are oriented alike: replacing a vertex of one by a
+//! point on the same side keeps the orientation, so a cavity is retriangulated without a single
 //! orientation test.
 
 mod cone;

@@ -1,8 +1,9 @@
 //! Defaults for parts, which facets bound, where the options leave them open: `netmesh part.stl`
-//! makes the mesh of the inside that people mean who give nothing else.
+//! makes the mesh of the inside that people mean who give nothing else. And the criterion of a
+//! bound that is given alone.
 
 use crate::arguments::{Arguments, Product};
-use netmesh::{Algorithm, Extent, Labels, Mesh, Options};
+use netmesh::{Algorithm, Criterion, Extent, Labels, Mesh, Options};
 
 /// Angle from flat in degrees up to which triangles are one facet. Flat faces that were stored in
 /// single precision are facets again, and turned surfaces of some hundred sides keep their edges.
@@ -18,6 +19,10 @@ pub fn options(arguments: &Arguments, mesh: &Mesh) -> Options {
     let bounds_mesh = matches!(options.extent, Extent::Auto | Extent::Boundary);
     let is_refined = options.algorithm == Algorithm::Netmesh && !arguments.hierarchical;
     let is_open = |name: &str| !arguments.given.contains(&name);
+    if options.quality_bound != 0.0 && is_open("criterion") && conforms(&options, mesh) {
+        // No other one goes with facets, segments, hulls and boxes.
+        options.criterion = Criterion::RadiusEdge;
+    }
     if mesh.given_facets().count() == 0 || !bounds_mesh {
         return options;
     }
@@ -32,6 +37,13 @@ pub fn options(arguments: &Arguments, mesh: &Mesh) -> Options {
         options.min_dihedral = MIN_DIHEDRAL;
     }
     options
+}
+
+/// Returns true if the mesh conforms to more than its points.
+fn conforms(options: &Options, mesh: &Mesh) -> bool {
+    mesh.given_facets().count() > 0
+        || mesh.segments().count() > 0
+        || matches!(options.extent, Extent::Hull | Extent::Box)
 }
 
 /// Returns the line of the summary that tells these defaults, if any apply.

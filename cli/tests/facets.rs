@@ -362,7 +362,7 @@ fn options_that_do_not_go_with_facets_are_named() {
         ("--algorithm delaunay", "--algorithm delaunay goes neither with facets nor with a hull"),
         ("--algorithm svr", "--algorithm svr goes neither with facets nor with a hull or box"),
         ("--alpha-shape 1", "--alpha-shape goes neither with facets nor with a hull or box"),
-        ("--bound inf", "--bound is inf; with facets it must be 0, or go with --criterion"),
+        ("--criterion aspect --bound inf", "--bound is inf; with facets it must be 0, or go with"),
         ("--distance-ratio 0.5 --min-dihedral 0", "is 0.5; it must be 0 with facets"),
     ] {
         bench.run(&format!("cube.off {options}")).assert_failure(2, &[words]);
@@ -485,6 +485,29 @@ fn what_is_outside_of_the_domain_is_told() {
     outcome.assert_success();
     let line = "\noutside     1 point; no simplex has them\n";
     assert!(outcome.stdout.contains(line), "{}", outcome.stdout);
+}
+
+/// A bound that is given alone is one of radius-edge ratios where no other goes: with facets,
+/// segments, hulls and boxes.
+#[test]
+fn a_bound_alone_goes_with_facets_and_boxes() {
+    let bench = Workbench::new("facets_bound");
+    bench.write("points.xyz", "0 0 0\n1 0 0.2\n0.3 1 0\n0.4 0.3 1\n0.5 0.4 0.3\n");
+    bench.write("square.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n1 0\n1 1 3\n0\n");
+    bench.write("cube.off", CUBE);
+    for (line, bound) in [
+        ("points.xyz --extent box --bound 3", "radius-edge ratio at most 3"),
+        ("square.poly --bound 1.5", "radius-edge ratio at most 1.5"),
+        ("cube.off --bound 2 --min-dihedral 0", "radius-edge ratio at most 2"),
+        ("points.xyz --bound 3", "Voronoi aspect at most 3"),
+    ] {
+        let outcome = bench.run(&format!("{line} --validate"));
+        outcome.assert_success();
+        assert!(outcome.stdout.contains(bound), "no {bound:?} in {}", outcome.stdout);
+    }
+    let refused = bench.run("square.poly --criterion aspect --bound 2");
+    let message = "--bound is 2; with segments it must be 0, or go with --criterion radius-edge";
+    assert!(refused.stderr.contains(message), "{}", refused.stderr);
 }
 
 /// Points alone fill their box or hull; a box of what is flat is refused in the caller's words.

@@ -10,8 +10,12 @@ fn surface_through(dim: usize, points: &[f64]) -> (Mesh, Surface) {
 }
 
 pub fn surface_of(dim: usize, points: &[f64], kind: SurfaceKind) -> (Mesh, Surface) {
+    surface_by_seed(dim, points, kind, 0)
+}
+
+fn surface_by_seed(dim: usize, points: &[f64], kind: SurfaceKind, seed: u64) -> (Mesh, Surface) {
     let mut mesh = Mesh::new(dim, points.len() / dim, points, dim).unwrap();
-    let options = Options { algorithm: Algorithm::Delaunay, ..Options::default() };
+    let options = Options { algorithm: Algorithm::Delaunay, seed, ..Options::default() };
     mesh.run(&options, None).unwrap();
     let triangulation = mesh.result().unwrap();
     let surface = Surface::through(triangulation, kind).unwrap();
@@ -184,9 +188,9 @@ fn any_points_give_a_manifold() {
 }
 
 /// Not even with a far outlier, beside which all points share a few cells, and lattices, in which
-/// many points are on one sphere.
+/// many points are on one sphere or circle.
 #[test]
-fn the_order_of_points_does_not_count() {
+fn neither_the_order_of_points_nor_the_seed_counts() {
     let mut random = SplitMix(12);
     let mut noisy = sphere(600, 1.0);
     noisy.iter_mut().for_each(|x| *x += 0.15 * (random.unit() - 0.5));
@@ -194,15 +198,23 @@ fn the_order_of_points_does_not_count() {
     let is_on_face = |p: &[i32; 3]| p.iter().any(|&x| x == 0 || x == 6);
     let faces = lattice.filter(is_on_face).flat_map(|p| p.map(f64::from)).collect();
     let outlier = [noisy.clone(), vec![1e7, 5e5, 9e6]].concat();
-    for (points, kind) in
-        [(noisy, SurfaceKind::Closed), (outlier, SurfaceKind::Open), (faces, SurfaceKind::Closed)]
-    {
-        let facets = |points: &[f64]| {
-            let (_, surface) = surface_of(3, points, kind);
-            let at = |vertex: &u32| [0, 1, 2].map(|axis| points[3 * *vertex as usize + axis]);
-            let mut facets: Vec<[[f64; 3]; 3]> = (surface.facets.chunks_exact(3))
+    // Whole points in a ring: many on each circle, and no curve through them is plain.
+    let is_in_ring = |[x, y]: &[i32; 2]| (49..=81).contains(&(x * x + y * y));
+    let ring = (0..361).map(|i| [i % 19 - 9, i / 19 - 9]).filter(is_in_ring);
+    let ring: Vec<f64> = ring.flat_map(|p| p.map(f64::from)).collect();
+    for (dim, points, kind) in [
+        (3, noisy, SurfaceKind::Closed),
+        (3, outlier, SurfaceKind::Open),
+        (3, faces, SurfaceKind::Closed),
+        (2, ring.clone(), SurfaceKind::Closed),
+        (2, ring, SurfaceKind::Open),
+    ] {
+        let facets = |points: &[f64], seed: u64| {
+            let (_, surface) = surface_by_seed(dim, points, kind, seed);
+            let at = |vertex: &u32| points[dim * *vertex as usize..][..dim].to_vec();
+            let mut facets: Vec<Vec<Vec<f64>>> = (surface.facets.chunks_exact(dim))
                 .map(|facet| {
-                    let mut corners = [at(&facet[0]), at(&facet[1]), at(&facet[2])];
+                    let mut corners: Vec<_> = facet.iter().map(at).collect();
                     // Shells with one side have no direction.
                     corners.sort_by(|a, b| a.partial_cmp(b).unwrap());
                     corners
@@ -211,15 +223,15 @@ fn the_order_of_points_does_not_count() {
             facets.sort_by(|a, b| a.partial_cmp(b).unwrap());
             facets
         };
-        let expected = facets(&points);
-        for _ in 0..4 {
-            let mut order: Vec<usize> = (0..points.len() / 3).collect();
+        let expected = facets(&points, 0);
+        for seed in 1..5 {
+            let mut order: Vec<usize> = (0..points.len() / dim).collect();
             for at in (1..order.len()).rev() {
                 order.swap(at, random.next_word() as usize % (at + 1));
             }
             let permuted: Vec<f64> =
-                order.iter().flat_map(|&at| points[3 * at..][..3].to_vec()).collect();
-            assert!(facets(&permuted) == expected);
+                order.iter().flat_map(|&at| points[dim * at..][..dim].to_vec()).collect();
+            assert!(facets(&permuted, seed) == expected, "{dim} {kind:?} {seed}");
         }
     }
 }

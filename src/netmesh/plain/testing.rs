@@ -4,7 +4,7 @@ use crate::error::ErrorKind;
 use crate::mesh::{Inputs, Triangulation};
 use crate::netmesh::run;
 use crate::numerics::testing::{FAMILIES, Random, points};
-use crate::options::{Algorithm, Options, Progress};
+use crate::options::{Algorithm, NetOrdering, Options, Progress};
 use crate::validate::validate;
 
 pub fn inputs<const D: usize>(points: &[[f64; D]]) -> Inputs {
@@ -53,6 +53,45 @@ pub fn assert_hard_points_are_certified<const D: usize>(most: usize) {
             }
         }
     }
+}
+
+/// Asserts that neither the seed nor the ordering nor threads change the result.
+#[track_caller]
+pub fn assert_same_bytes<const D: usize>(points: &[[f64; D]]) {
+    let inputs = inputs(points);
+    let expected = plain(&inputs, 0, 1);
+    let ordering = NetOrdering::DeterministicNet;
+    let ordered = run(&inputs, None, &Options { ordering, ..options(5, 1) }, None).unwrap();
+    for other in [plain(&inputs, 1, 1), plain(&inputs, 0, 2), plain(&inputs, 7, 5), ordered] {
+        assert_eq!(other.simplices, expected.simplices);
+        assert_eq!(other.neighbors, expected.neighbors);
+    }
+}
+
+/// Returns the simplices by the coordinates of their corners, and those sorted.
+fn by_coordinates<const D: usize>(points: &[[f64; D]]) -> Vec<Vec<[f64; D]>> {
+    let made = plain(&inputs(points), 0, 1);
+    let corners = |simplex: &[u32]| {
+        let mut corners: Vec<_> = simplex.iter().map(|&corner| points[corner as usize]).collect();
+        corners.sort_by(|a, b| a.partial_cmp(b).unwrap());
+        corners
+    };
+    let mut simplices: Vec<_> = made.simplices.chunks_exact(D + 1).map(corners).collect();
+    simplices.sort_by(|a, b| a.partial_cmp(b).unwrap());
+    simplices
+}
+
+/// Asserts that points make the same simplices in whatever order they are given.
+#[track_caller]
+pub fn assert_order_does_not_count<const D: usize>(mut points: Vec<[f64; D]>) {
+    let expected = by_coordinates(&points);
+    points.reverse();
+    assert_eq!(by_coordinates(&points), expected);
+    let mut random = Random(5);
+    for at in (1..points.len()).rev() {
+        points.swap(at, random.integer(0, at as i64) as usize);
+    }
+    assert_eq!(by_coordinates(&points), expected);
 }
 
 /// Asserts that points of a lower affine rank are refused.

@@ -1,6 +1,7 @@
 //! A point goes into a triangulation of the plane: a walk finds its triangle, which it splits, and
 //! edges flip until every circle is empty.
 
+use super::super::ties::counts_as_inside;
 use super::signs::Signs;
 use super::triangles::{Edge, INFINITE, Triangles, is_infinite, next, previous};
 use crate::error::Result;
@@ -92,8 +93,9 @@ impl<'a> Plain<'a> {
         self.signs.turn(&points[from], &points[to], &points[vertex as usize]) == Sign::Negative
     }
 
-    /// Returns true if a point is strictly inside the circle of the triangle of an edge; for an
-    /// infinite one, if it is strictly beyond its edge of the hull, or on the line and between.
+    /// Returns true if a point is inside the circle of the triangle of an edge. On the circle it
+    /// counts as inside or not by [`counts_as_inside`]. For an infinite triangle, returns true if
+    /// the point is strictly beyond its edge of the hull, or on the line and between.
     #[inline]
     fn is_in_conflict(&mut self, edge: Edge, vertex: u32) -> bool {
         let corners = self.triangles.triangle(edge).corners;
@@ -103,7 +105,14 @@ impl<'a> Plain<'a> {
         let points = self.points;
         let [a, b, c] = corners;
         let circle = [&points[a as usize], &points[b as usize], &points[c as usize]];
-        self.signs.is_in_circle(circle, &points[vertex as usize])
+        match self.signs.in_circle(circle, &points[vertex as usize]) {
+            Sign::Positive => true,
+            Sign::Negative => false,
+            Sign::Zero => counts_as_inside(&corners, vertex, |place| {
+                let at = |corner: usize| &points[corners[corner % 3] as usize];
+                self.signs.turn(&points[vertex as usize], at(place + 1), at(place + 2))
+            }),
+        }
     }
 
     fn is_beyond_hull(&mut self, corners: [u32; 3], vertex: u32) -> bool {

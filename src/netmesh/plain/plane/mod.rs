@@ -4,9 +4,14 @@
 //! - `triangles`: triangles and their edges, split and flipped.
 //! - `signs`: the sides of lines and circles that points are on.
 //! - `insertion`: the triangle of a point, and the flips after it.
+//! - `sorted`: the result in an order of its own.
+//!
+//! Four points on one circle have two triangulations; which one is made is told by their numbers
+//! ([`ties`](super::ties)).
 
 mod insertion;
 mod signs;
+mod sorted;
 #[cfg(test)]
 mod tests;
 mod triangles;
@@ -14,14 +19,11 @@ mod triangles;
 use super::Ordered;
 use super::output::Simplices;
 use crate::error::Result;
-use crate::memory::{filled, with_capacity};
-use crate::mesh::{NONE, Stats};
-use crate::netmesh::state::order::InputId;
+use crate::mesh::Stats;
 use crate::netmesh::state::watch::Watch;
 use crate::options::Phase;
 use insertion::Plain;
 use signs::counterclockwise;
-use triangles::{INFINITE, Triangle, Triangles, next};
 
 /// Largest number of points whose edges have ids: some six for each.
 pub(super) const MOST: usize = u32::MAX as usize / 6 - 2;
@@ -46,33 +48,5 @@ pub(super) fn triangulate(
         plain.insert(vertex)?;
     }
     plain.count_into(stats);
-    finite(&plain.triangles, &order, watch)
-}
-
-/// Returns the finite triangles.
-fn finite(
-    triangles: &Triangles,
-    order: &[InputId],
-    watch: &mut Watch<'_, '_>,
-) -> Result<Simplices> {
-    let mut numbers = filled(triangles.count(), NONE)?;
-    let mut finite = 0;
-    for (number, triangle) in numbers.iter_mut().zip(triangles.all()) {
-        if !triangle.corners.contains(&INFINITE) {
-            *number = finite;
-            finite += 1;
-        }
-    }
-    let rows = 3 * finite as usize;
-    let (mut vertices, mut neighbors) = (with_capacity(rows)?, with_capacity(rows)?);
-    for (&number, Triangle { corners, twins }) in numbers.iter().zip(triangles.all()) {
-        watch.poll_after(1)?;
-        if number != NONE {
-            vertices.extend(corners.map(|corner| order[corner as usize].index() as u32));
-            // The neighbour opposite a corner is beyond the edge after it.
-            let opposite = |corner: u32| numbers[(twins[next(corner) as usize] / 3) as usize];
-            neighbors.extend([0, 1, 2].map(opposite));
-        }
-    }
-    Ok(Simplices { vertices, neighbors })
+    plain.triangles.sorted(&order, watch)
 }

@@ -65,27 +65,29 @@ impl Signs {
         orientation_exact(&[a, b, c])
     }
 
-    /// Returns true if `q` is strictly inside the circle through three points, counterclockwise.
+    /// Returns the side of the circle through three points, counterclockwise, that `q` is on:
+    /// positive inside.
     #[inline]
-    pub fn is_in_circle(&mut self, [a, b, c]: [&Point; 3], q: &Point) -> bool {
+    pub fn in_circle(&mut self, [a, b, c]: [&Point; 3], q: &Point) -> Sign {
         let (determinant, bound) = in_circle(a, b, c, q);
         // False if anything is NaN.
         match determinant.abs() > bound {
-            true => determinant > 0.0,
-            false if self.are_circles_exact => determinant > 0.0,
-            false => self.is_in_circle_with_care([a, b, c], q),
+            true if determinant > 0.0 => Sign::Positive,
+            true => Sign::Negative,
+            false if self.are_circles_exact => Sign::of(determinant),
+            false => self.in_circle_with_care([a, b, c], q),
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn is_in_circle_with_care(&mut self, [a, b, c]: [&Point; 3], q: &Point) -> bool {
+    fn in_circle_with_care(&mut self, [a, b, c]: [&Point; 3], q: &Point) -> Sign {
         self.fallbacks += 1;
         if self.are_moderate {
             let [a, b, c, q] = [a, b, c, q].map(|&[x, y]| robust::Coord { x, y });
-            return robust::incircle(a, b, c, q) > 0.0;
+            return Sign::of(robust::incircle(a, b, c, q));
         }
-        in_ball_with_care(&[a, b, c], q) == Sign::Positive
+        in_ball_with_care(&[a, b, c], q)
     }
 }
 
@@ -145,8 +147,8 @@ mod tests {
                 let turn = orientation_oracle(&[&a, &b, &c]);
                 assert_eq!(signs.turn(&a, &b, &c), turn, "{given:?}");
                 if turn == Sign::Positive {
-                    let inside = in_ball_oracle(&[&a, &b, &c], &q) == Sign::Positive;
-                    assert_eq!(signs.is_in_circle([&a, &b, &c], &q), inside, "{given:?}");
+                    let side = in_ball_oracle(&[&a, &b, &c], &q);
+                    assert_eq!(signs.in_circle([&a, &b, &c], &q), side, "{given:?}");
                 }
             }
         }
@@ -167,8 +169,8 @@ mod tests {
                 let turn = orientation_oracle(&[&a, &b, &c]);
                 assert_eq!(signs.turn(&a, &b, &c), turn, "{family:?} {a:?} {b:?} {c:?}");
                 if turn == Sign::Positive {
-                    let inside = in_ball_oracle(&[&a, &b, &c], &q) == Sign::Positive;
-                    assert_eq!(signs.is_in_circle([&a, &b, &c], &q), inside, "{family:?} {trial}");
+                    let side = in_ball_oracle(&[&a, &b, &c], &q);
+                    assert_eq!(signs.in_circle([&a, &b, &c], &q), side, "{family:?} {trial}");
                 }
             }
         }

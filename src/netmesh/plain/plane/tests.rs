@@ -1,24 +1,10 @@
 use super::super::testing::{
-    assert_certified, assert_hard_points_are_certified, assert_rank_is_refused, assert_watched,
-    inputs, options, plain, uniform,
+    assert_certified, assert_hard_points_are_certified, assert_order_does_not_count,
+    assert_rank_is_refused, assert_same_bytes, assert_watched, inputs, options, plain, uniform,
 };
-use crate::mesh::{NONE, Triangulation};
+use crate::mesh::NONE;
 use crate::netmesh::run;
-use crate::options::{NetOrdering, Options};
-
-/// Returns the triangles by their vertices, each with the least vertex first.
-fn triangles(of: &Triangulation) -> Vec<[u32; 3]> {
-    let mut found: Vec<[u32; 3]> = of
-        .simplices
-        .chunks_exact(3)
-        .map(|corners| {
-            let least = (0..3).min_by_key(|&at| corners[at]).unwrap();
-            [0, 1, 2].map(|after| corners[(least + after) % 3])
-        })
-        .collect();
-    found.sort_unstable();
-    found
-}
+use crate::options::Options;
 
 #[test]
 fn hard_points_are_certified() {
@@ -64,17 +50,39 @@ fn numbers_of_triangles_are_those_of_the_hull() {
     assert!(made.stats.touches < 5000 * 40 && made.stats.max_touches < 500, "{:?}", made.stats);
 }
 
-/// Without four points on a circle there is one triangulation, whatever the order.
+/// Returns all 324 whole points of a circle.
+fn circle() -> Vec<[f64; 2]> {
+    const RADIUS: i32 = 5 * 13 * 17 * 29;
+    let at = |x: f64| {
+        let y = (f64::from(RADIUS).powi(2) - x * x).sqrt();
+        let both = if y == 0.0 { vec![[x, y]] } else { vec![[x, y], [x, -y]] };
+        if y.fract() == 0.0 { both } else { Vec::new() }
+    };
+    (-RADIUS..=RADIUS).map(f64::from).flat_map(at).collect()
+}
+
+/// Points on circles and grids have one triangulation, too.
 #[test]
-fn orders_agree_where_there_is_no_choice() {
-    let inputs = inputs(&uniform::<2>(3000, 11));
-    let expected = triangles(&plain(&inputs, 0, 1));
-    assert!((1..4).all(|seed| triangles(&plain(&inputs, seed, 1)) == expected));
-    let ordering = NetOrdering::DeterministicNet;
-    let measured = Options { instruments: true, ordering, ..options(0, 1) };
-    let measured = run(&inputs, None, &measured, None).unwrap();
-    assert_eq!(triangles(&measured), expected);
-    assert!(measured.stats.max_ply > 0);
+fn neither_seed_nor_order_change_the_triangulation() {
+    assert_eq!(circle().len(), 324);
+    let grid = |n: i32| (0..n * n).map(move |at| [f64::from(at % n), f64::from(at / n)]);
+    for points in [grid(23).collect(), circle(), uniform(3000, 11)] {
+        assert_same_bytes(&points);
+        assert_order_does_not_count(points);
+    }
+}
+
+#[test]
+fn triangles_are_sorted_and_neighbors_are_opposite() {
+    let made = assert_certified(&uniform::<2>(2000, 3), 0);
+    let rows = made.simplices.chunks_exact(3).zip(made.neighbors.chunks_exact(3));
+    for (corners, neighbors) in rows {
+        for (corner, &neighbor) in corners.iter().zip(neighbors).filter(|(_, n)| **n != NONE) {
+            let others = &made.simplices[3 * neighbor as usize..][..3];
+            assert!(!others.contains(corner));
+            assert_eq!(corners.iter().filter(|corner| others.contains(corner)).count(), 2);
+        }
+    }
 }
 
 #[test]

@@ -73,7 +73,7 @@ fn neither_seed_nor_order_change_the_triangulation() {
 }
 
 #[test]
-fn triangles_are_sorted_and_neighbors_are_opposite() {
+fn neighbors_are_opposite_their_corners() {
     let made = assert_certified(&uniform::<2>(2000, 3), 0);
     let rows = made.simplices.chunks_exact(3).zip(made.neighbors.chunks_exact(3));
     for (corners, neighbors) in rows {

@@ -68,7 +68,7 @@ fn neither_seed_nor_threads_change_a_byte() {
 }
 
 #[test]
-fn simplices_are_sorted_and_neighbors_are_opposite() {
+fn neighbors_are_opposite_their_corners() {
     let made = assert_certified(&uniform::<3>(2000, 3), 0);
     let neighbors = made.neighbors.chunks_exact(4);
     for (simplex, (corners, neighbors)) in made.simplices.chunks_exact(4).zip(neighbors).enumerate()

@@ -12,6 +12,7 @@ use crate::netmesh::state::watch::Watch;
 use crate::netmesh::state::workers::{PIECE, on_threads, pieces};
 use crate::netmesh::state::{Mesher, Scratch, State};
 use crate::options::{Algorithm, Phase};
+use std::mem::take;
 use std::time::Instant;
 
 /// The number of pieces after which the simplices that are in the result are given back.
@@ -109,12 +110,13 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
         let Numbering { vertices, simplices: numbers, counts, .. } = numbering;
         let reserves = collected(counts.iter().map(|count| count * (D + 1)))?;
         let (mut simplices, mut neighbors) = (Array::new(), Array::new());
-        let mut inside = collected(
+        let mut all = collected(
             shares(&mut simplices, &reserves)?.into_iter().zip(shares(&mut neighbors, &reserves)?),
         )?;
         // Each piece has a share for what is inside and one for what is outside.
-        let outside = inside.split_off(counts.len() / 2);
-        let sides = inside.into_iter().zip(outside).map(|(inside, outside)| [inside, outside]);
+        let (inside, outside) = all.split_at_mut(counts.len() / 2);
+        let sides =
+            inside.iter_mut().zip(outside).map(|(inside, outside)| [take(inside), take(outside)]);
         let mut shares = collected(pieces(numbers.len()).zip(sides))?;
         let mut filled = with_capacity(shares.len())?;
         let threads = self.state.threads();
@@ -144,7 +146,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
         }
         for side in 0..2 {
             for of_piece in filled.iter_mut().rev().flatten() {
-                let (own_simplices, own_neighbors) = std::mem::take(&mut of_piece[side]);
+                let (own_simplices, own_neighbors) = take(&mut of_piece[side]);
                 simplices.absorb(own_simplices)?;
                 neighbors.absorb(own_neighbors)?;
             }
@@ -243,7 +245,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
     /// small angle excuses it.
     pub(in crate::netmesh) fn limited_vertices(&mut self) -> Result<Vec<bool>> {
         const SUBNORMAL: f64 = f64::from_bits(1 << 30);
-        let mut limited = std::mem::take(&mut self.state.precision_limited);
+        let mut limited = take(&mut self.state.precision_limited);
         for (limited, cell) in limited.iter_mut().zip(&self.state.cells) {
             *limited |= cell.nearest < SUBNORMAL;
         }

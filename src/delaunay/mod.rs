@@ -189,7 +189,7 @@ impl<const D: usize> Delaunay<D> {
         Some(ball.center_point(anchor))
     }
 
-    /// Returns the distance of the corner dual to `simplex` from `x`, or a little more, 2^-22 of
+    /// Returns the distance of the corner dual to `simplex` from `x`, or a little more, 2^-20 of
     /// the radius at most; NaN or infinite if out of range. `None` for an infinite simplex.
     pub fn corner_distance(&self, simplex: SimplexId, x: &[f64; D]) -> Option<f64> {
         let (ball, anchor) = self.ball_and_anchor(simplex)?;

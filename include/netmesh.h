@@ -198,8 +198,8 @@ enum nm_algorithm
     /**
      * The plain Delaunay triangulation of the input, without Steiner points and without a bound on
      * quality. Its size may be of order n^ceil(dim/2). Points in a lower-dimensional affine
-     * subspace are refused as degenerate. In 3D it depends on the points alone, also where many of
-     * them are on one sphere: not on their order, the seed or the threads.
+     * subspace are refused as degenerate. In 2D and 3D it depends on the points alone, also where
+     * many of them are on one sphere: not on their order, the seed or the threads.
      */
     NM_ALGORITHM_DELAUNAY = 2,
 };

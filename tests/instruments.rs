@@ -163,7 +163,7 @@ fn intersections_are_those_of_all_pairs_of_balls() {
     check_meetings::<2>("uniform", &uniform(2, 120), &with_instruments());
     check_meetings::<3>("uniform", &uniform(3, 20), &with_instruments());
     check_meetings::<4>("uniform", &uniform(4, 6), &with_instruments());
-    check_meetings::<2>("nested", &nested(2, 60), &with_instruments());
+    check_meetings::<2>("nested", &nested(2, 44), &with_instruments());
     // Many balls meet beyond the hull only.
     let plain = Options { algorithm: Algorithm::Delaunay, ..with_instruments() };
     check_meetings::<2>("plain", &uniform(2, 100), &plain);

@@ -209,10 +209,10 @@ impl<const D: usize> Delaunay<D> {
     }
 
     /// Returns the approximate power of `q` with respect to the D-ball of `simplex`: the lower, the
-    /// further inside. Infinite or NaN for an infinite simplex and out of range.
-    #[inline]
+    /// further inside. Infinite or NaN for an infinite simplex and out of range. In doubles: near a
+    /// vertex powers of single precision lead a walk astray.
     pub fn power(&self, simplex: SimplexId, q: &[f64; D]) -> f64 {
-        match self.ball_and_anchor(simplex) {
+        match self.circumball_and_anchor(simplex) {
             Some((ball, anchor)) => ball.power(anchor, q),
             None => f64::INFINITY,
         }

@@ -1,7 +1,8 @@
 //! Marks of simplices, by which a search knows where it has been.
 //!
-//! A search leaves no mark: it clears those of the simplices that it has met, which it knows
-//! anyway. So a byte holds a mark. The number of a search, which needs no clearing, takes four.
+//! A search for a cavity or a star leaves no mark: it clears those of the simplices that it has
+//! found, which it knows anyway. Those of a caller's search are listed, and cleared when the next
+//! one begins. So a byte holds a mark. The number of a search, which needs no clearing, takes four.
 
 use super::{Complex, SimplexId};
 use crate::memory::{AllocResult, Array, TryGrow};

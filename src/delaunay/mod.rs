@@ -176,12 +176,6 @@ impl<const D: usize> Delaunay<D> {
         Some((ball, self.point(self.complex.vertices(simplex)[ball.anchor])))
     }
 
-    #[inline(always)]
-    fn ball_and_anchor(&self, simplex: SimplexId) -> Option<(Circumball<D>, &[f64; D])> {
-        let ball = self.balls[simplex].ball()?;
-        Some((ball, self.point(self.complex.vertices(simplex)[ball.anchor])))
-    }
-
     /// Returns the corner of the Voronoi diagram dual to `simplex`, rounded; its coordinates are
     /// not finite if out of range. `None` for an infinite simplex.
     pub fn corner(&self, simplex: SimplexId) -> Option<[f64; D]> {
@@ -192,7 +186,8 @@ impl<const D: usize> Delaunay<D> {
     /// Returns the distance of the corner dual to `simplex` from `x`, or a little more, 2^-20 of
     /// the radius at most; NaN or infinite if out of range. `None` for an infinite simplex.
     pub fn corner_distance(&self, simplex: SimplexId, x: &[f64; D]) -> Option<f64> {
-        let (ball, anchor) = self.ball_and_anchor(simplex)?;
+        let ball = self.balls[simplex].ball()?;
+        let anchor = self.point(self.complex.vertices(simplex)[ball.anchor]);
         Some(ball.center_distance(anchor, x) + (D as f64).sqrt() * ball.error * ball.unit())
     }
 

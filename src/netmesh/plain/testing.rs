@@ -1,7 +1,7 @@
 //! Plain triangulations of the plane and of space, for tests of both.
 
 use crate::error::ErrorKind;
-use crate::mesh::{Inputs, Triangulation};
+use crate::mesh::{Inputs, NONE, Triangulation};
 use crate::netmesh::run;
 use crate::numerics::testing::{FAMILIES, Random, points};
 use crate::options::{Algorithm, NetOrdering, Options, Progress};
@@ -51,6 +51,20 @@ pub fn assert_hard_points_are_certified<const D: usize>(most: usize) {
                 Ok(made) => certify(&inputs, &made),
                 Err(error) => assert_eq!(error.kind(), ErrorKind::DegenerateInput, "{error:?}"),
             }
+        }
+    }
+}
+
+/// Asserts that each neighbour of a simplex has all corners but the one that it is opposite to.
+pub fn assert_neighbors_are_opposite<const D: usize>() {
+    let made = assert_certified(&uniform::<D>(2000, 3), 0);
+    let rows = made.simplices.chunks_exact(D + 1).zip(made.neighbors.chunks_exact(D + 1));
+    for (simplex, (corners, neighbors)) in rows.enumerate() {
+        for (corner, &neighbor) in corners.iter().zip(neighbors).filter(|(_, n)| **n != NONE) {
+            let others = &made.simplices[(D + 1) * neighbor as usize..][..D + 1];
+            assert!(!others.contains(corner));
+            assert_eq!(corners.iter().filter(|corner| others.contains(corner)).count(), D);
+            assert_ne!(neighbor as usize, simplex);
         }
     }
 }

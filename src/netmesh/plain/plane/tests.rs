@@ -1,6 +1,7 @@
 use super::super::testing::{
-    assert_certified, assert_hard_points_are_certified, assert_order_does_not_count,
-    assert_rank_is_refused, assert_same_bytes, assert_watched, inputs, options, plain, uniform,
+    assert_certified, assert_hard_points_are_certified, assert_neighbors_are_opposite,
+    assert_order_does_not_count, assert_rank_is_refused, assert_same_bytes, assert_watched, inputs,
+    options, plain, uniform,
 };
 use crate::mesh::NONE;
 use crate::netmesh::run;
@@ -74,15 +75,7 @@ fn neither_seed_nor_order_change_the_triangulation() {
 
 #[test]
 fn neighbors_are_opposite_their_corners() {
-    let made = assert_certified(&uniform::<2>(2000, 3), 0);
-    let rows = made.simplices.chunks_exact(3).zip(made.neighbors.chunks_exact(3));
-    for (corners, neighbors) in rows {
-        for (corner, &neighbor) in corners.iter().zip(neighbors).filter(|(_, n)| **n != NONE) {
-            let others = &made.simplices[3 * neighbor as usize..][..3];
-            assert!(!others.contains(corner));
-            assert_eq!(corners.iter().filter(|corner| others.contains(corner)).count(), 2);
-        }
-    }
+    assert_neighbors_are_opposite::<2>();
 }
 
 #[test]

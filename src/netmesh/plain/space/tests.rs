@@ -1,8 +1,8 @@
 use super::super::testing::{
-    assert_certified, assert_hard_points_are_certified, assert_order_does_not_count,
-    assert_rank_is_refused, assert_same_bytes, assert_watched, inputs, options, plain, uniform,
+    assert_certified, assert_hard_points_are_certified, assert_neighbors_are_opposite,
+    assert_order_does_not_count, assert_rank_is_refused, assert_same_bytes, assert_watched, inputs,
+    options, plain, uniform,
 };
-use crate::mesh::NONE;
 use crate::netmesh::run;
 use crate::options::Options;
 
@@ -69,17 +69,7 @@ fn neither_seed_nor_threads_change_a_byte() {
 
 #[test]
 fn neighbors_are_opposite_their_corners() {
-    let made = assert_certified(&uniform::<3>(2000, 3), 0);
-    let neighbors = made.neighbors.chunks_exact(4);
-    for (simplex, (corners, neighbors)) in made.simplices.chunks_exact(4).zip(neighbors).enumerate()
-    {
-        for (corner, &neighbor) in corners.iter().zip(neighbors).filter(|(_, n)| **n != NONE) {
-            let others = &made.simplices[4 * neighbor as usize..][..4];
-            assert!(!others.contains(corner));
-            assert_eq!(corners.iter().filter(|corner| others.contains(corner)).count(), 3);
-            assert_ne!(neighbor as usize, simplex);
-        }
-    }
+    assert_neighbors_are_opposite::<3>();
 }
 
 #[test]

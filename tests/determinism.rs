@@ -81,6 +81,18 @@ fn a_second_run_gives_the_bytes_of_a_first_one() {
     assert_same_bytes(mesh.triangulation().unwrap(), &expected, "after other runs");
 }
 
+/// Neighbouring seeds too: half of them would be no use to who draws several meshes.
+#[test]
+fn every_seed_has_a_mesh_of_its_own() {
+    let points = points(3, 600);
+    let simplices = |seed| run(3, &points, &Options { seed, ..Options::default() }).simplices;
+    let meshes: Vec<_> = [0, 1, 2, 3, 1 << 63].map(simplices).into();
+    for (first, mesh) in meshes.iter().enumerate() {
+        let equal = meshes.iter().rposition(|other| other == mesh);
+        assert_eq!(equal, Some(first), "seeds of meshes {first} and {equal:?}");
+    }
+}
+
 /// The deterministic ordering uses no random number: the seed changes nothing, and each round
 /// halves the longest list.
 #[test]

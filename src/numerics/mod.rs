@@ -55,7 +55,7 @@ pub use lengths::{
     norm, shortest_distance,
 };
 pub(crate) use power::scale_by_power;
-pub use random::{SplitMix, mixed};
+pub use random::{SplitMix, mixed, random_numbers};
 pub use segment::{in_diametral_ball, offset_from_line, point_at_level, point_between};
 pub use sign::Sign;
 pub use volume::volume;

@@ -1,6 +1,8 @@
 //! Pseudo-random numbers and hashes: SplitMix64 (G. Steele, D. Lea and C. Flood, "Fast splittable
 //! pseudorandom number generators", 2014).
 
+use rand_pcg::Pcg64Mcg;
+
 /// Mixes the bits of a word, so that words that differ little give unlike results: the finaliser of
 /// SplitMix64, which is a bijection.
 #[inline]
@@ -31,8 +33,17 @@ impl SplitMix {
     }
 }
 
+/// Returns the random numbers of a seed for a part of the work, which has a number. No two seeds
+/// have the same for one part, and no two parts for one seed.
+pub fn random_numbers(seed: u64, part: u64) -> Pcg64Mcg {
+    // The generator sets the lowest bit of its state, so what tells seeds apart is above.
+    Pcg64Mcg::new(u128::from(mixed(seed ^ mixed(part))) << 64 | 0xcafe_f00d_d15e_a5e5)
+}
+
 #[cfg(test)]
 mod tests {
+    use rand_core::Rng;
+
     use super::*;
 
     /// Words of the authors' program for seed 1234567.
@@ -41,5 +52,19 @@ mod tests {
         let mut words = SplitMix(1_234_567);
         let first = [0x599e_d017_fb08_fc85, 0x2c73_f084_5854_0fa5, 0x883e_bce5_a3f2_7c77];
         assert_eq!(first.map(|_| words.next_word()), first);
+    }
+
+    #[test]
+    fn seeds_and_parts_have_numbers_of_their_own() {
+        let numbers = |seed, part| {
+            let mut random = random_numbers(seed, part);
+            [(); 4].map(|()| random.next_u64())
+        };
+        let near = [0, 1, 2, 3, 4, 5, 1 << 63, u64::MAX - 1, u64::MAX];
+        for vary in [|number| (number, 0), |number| (0, number), |number| (number, 7)] {
+            let mut all = near.map(vary).map(|(seed, part)| numbers(seed, part));
+            all.sort_unstable();
+            assert!(all.windows(2).all(|pair| pair[0][0] != pair[1][0]), "{all:x?}");
+        }
     }
 }

@@ -18,9 +18,9 @@ use crate::netmesh::state::refine_list::RefineList;
 use crate::netmesh::state::segments::SegmentState;
 use crate::netmesh::state::watch::Watch;
 use crate::netmesh::state::{Cell, Mesher, Stage, State};
+use crate::numerics::random_numbers;
 use crate::options::Output;
 use crate::parameters::Parameters;
-use rand_pcg::Pcg64Mcg;
 
 /// Pieces that have been put together.
 pub(super) struct Assembly<const D: usize> {
@@ -112,9 +112,8 @@ impl<const D: usize> Assembly<D> {
             let nearest = if has_fallen { -1.0 } else { cells[vertex].nearest };
             watched.try_push((vertex, nearest))?;
         }
-        let seed = u128::from(parameters.seed) << 64 | u128::from(maker);
         let state = State {
-            random: Pcg64Mcg::new(0xcafe_f00d_d15e_a5e5 ^ seed),
+            random: random_numbers(parameters.seed, maker.into()),
             precision_limited: collected(
                 vertices.named.iter().map(|vertex| vertex.is_precision_limited),
             )?,

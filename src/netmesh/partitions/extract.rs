@@ -11,8 +11,8 @@ use crate::netmesh::state::refine_list::RefineList;
 use crate::netmesh::state::segments::SegmentState;
 use crate::netmesh::state::workers::on_threads_with_ticks;
 use crate::netmesh::state::{Mesher, Stage, State};
+use crate::numerics::random_numbers;
 use crate::parameters::Parameters;
-use rand_pcg::Pcg64Mcg;
 use std::sync::{Mutex, PoisonError};
 
 impl<const D: usize> Mesher<'_, '_, D> {
@@ -84,7 +84,6 @@ impl<const D: usize> State<D> {
         };
         let number = u64::from(local_to_global.simplices[0].number()) << 32
             | self.delaunay.point_count() as u64;
-        let seed = u128::from(parameters.seed) << 64 | u128::from(number);
         let state = State {
             // A mesh with segments or facets has no partitions.
             segments: SegmentState::default(),
@@ -93,7 +92,7 @@ impl<const D: usize> State<D> {
             removed: Vec::new(),
             stage: Stage::of_insertion(parameters.loose_bound()),
             template: copied(&self.template)?,
-            random: Pcg64Mcg::new(seed),
+            random: random_numbers(self.parameters.seed, number),
             stats: Stats::default(),
             refine_list: RefineList::new()?,
             delaunay,

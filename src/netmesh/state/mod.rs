@@ -47,6 +47,7 @@ use crate::netmesh::state::refine_list::RefineList;
 use crate::netmesh::state::segments::SegmentState;
 use crate::netmesh::state::sizes::Sizes;
 use crate::netmesh::state::watch::Watch;
+use crate::numerics::random_numbers;
 use crate::options::{Algorithm, Phase};
 use crate::parameters::Parameters;
 use rand_pcg::Pcg64Mcg;
@@ -192,7 +193,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
         let conflict_lists = ConflictLists::new(count)?;
         watch.poll()?;
         let state = State {
-            random: Pcg64Mcg::new(0xcafe_f00d_d15e_a5e5 ^ u128::from(parameters.seed)),
+            random: random_numbers(parameters.seed, 0),
             delaunay,
             hierarchy,
             conflict_lists,

@@ -133,6 +133,49 @@ fn needles_that_nobody_shares_have_nothing_to_keep() {
     }
 }
 
+/// Holds that such a triangle is not between others that are one plane without it: no chain leads
+/// along the edges that it has in common with two of them.
+#[test]
+fn needles_are_not_between_triangles_of_a_plane() {
+    // A line of three vertices, and one on each side of it.
+    let flat = [[100.1, 50.3, 0.0], [102.3, 51.1, 0.0], [102.9, 51.3, 0.0]];
+    let mut points = turned(&[flat[0], flat[2], [101.9, 52.2, 0.0], [102.2, 49.7, 0.0]]);
+    let plane = [[0, 4, 2], [4, 1, 2], [4, 0, 3], [1, 4, 3]];
+    let (needle, opposite) = ([0, 4, 1], [4, 0, 1]);
+    let mut narrow = 0;
+    for share in 1..40 {
+        let share = f64::from(share) / 40.0;
+        let [from, to] = [points[0], points[1]];
+        points.truncate(4);
+        points.push([0, 1, 2].map(|k| from[k] + share * (to[k] - from[k])));
+        for needles in [&[needle, opposite][..], &[opposite, needle], &[needle]] {
+            for extent in [Extent::All, Extent::Box] {
+                let triangles = [needles, &plane].concat();
+                let made = run(&points, &triangles, &split(extent, f64::INFINITY));
+                let has_line = made.boundary.subsegments.iter().any(|own| own.contains(&4));
+                narrow += u32::from(!has_line);
+            }
+        }
+    }
+    assert!(narrow > 30, "{narrow} meshes without an edge to the vertex between");
+}
+
+/// Holds that a triangle which is somewhat wider is what joins the triangles at its edges.
+#[test]
+fn triangles_wider_than_roundings_join_others() {
+    for units in [6.0, 9.0, 12.0] {
+        let between = [1.375, 1.25 + units * f64::EPSILON, 0.0];
+        let line = [[1.0, 1.0, 0.0], [1.75, 1.5, 0.0], between];
+        let points = [&line[..], &[[1.25, 1.75, 0.0], [1.5, 1.0, 0.0]]].concat();
+        let triangles = [[0, 1, 2], [0, 2, 3], [2, 1, 3], [1, 0, 4]];
+        let made = run(&points, &triangles, &split(Extent::All, f64::INFINITY));
+        let parents = &made.boundary.subfacet_parents;
+        assert!(parents.iter().all(|&parent| parent == 0), "{units} units: {parents:?}");
+        let has_line = made.boundary.subsegments.iter().any(|own| own.contains(&2));
+        assert!(!has_line, "{units} units: an edge to the vertex between");
+    }
+}
+
 /// Holds that parts of one triangle are one facet, though one of them is no wider than roundings
 /// and may be turned anyhow.
 #[test]

@@ -38,8 +38,10 @@ pub(super) fn each_facet(
     if ways.splits_crossings() {
         leave_out_needles(&triangles, &mut balances, ways, findings)?;
     }
-    let kept = (0u32..).zip(&balances).filter(|(_, balance)| balance.is_some());
-    let kept = collected(kept.map(|(triangle, _)| triangle))?;
+    let mut kept = kept_of(&balances)?;
+    if ways.splits_crossings() && leave_out_between(&triangles, &kept, &mut balances, ways)? {
+        kept = kept_of(&balances)?;
+    }
     let mut sets = Sets::new(triangles.len())?;
     let sides = sides(&triangles, &kept)?;
     for same in sides.chunk_by(|a, b| a.0 == b.0) {
@@ -155,6 +157,48 @@ fn leave_out_needles(
         }
     }
     Ok(())
+}
+
+/// Returns the triangles that have a balance.
+fn kept_of(balances: &[Option<i64>]) -> AllocResult<Vec<u32>> {
+    let kept = (0u32..).zip(balances).filter(|(_, balance)| balance.is_some());
+    collected(kept.map(|(triangle, _)| triangle))
+}
+
+/// Takes their balances from triangles that are no wider than an edge may be bent and stand between
+/// others which are one facet without them: along some of their edges leads no chain, and each of
+/// these has two other triangles, or none. Returns true if there are such.
+fn leave_out_between(
+    triangles: &[[u32; 3]],
+    kept: &[u32],
+    balances: &mut [Option<i64>],
+    ways: &mut Ways<'_>,
+) -> AllocResult<bool> {
+    // Triangle -> true if it is so narrow; and of its edges without a chain, how many have two
+    // other triangles or none, and how many have not.
+    let mut is_narrow = filled(triangles.len(), false)?;
+    for &triangle in kept {
+        is_narrow[triangle as usize] = ways.is_needle(triangles[triangle as usize])?;
+    }
+    let mut open = filled(triangles.len(), [0u8; 2])?;
+    for same in sides(triangles, kept)?.chunk_by(|a, b| a.0 == b.0) {
+        let narrow = || same.iter().filter(|side| is_narrow[side.1 as usize]);
+        if narrow().next().is_none() || ways.find(same[0].0)? {
+            continue;
+        }
+        let others = same.len() - narrow().count();
+        let needs_it = usize::from(others != 0 && others != 2);
+        narrow().for_each(|side| open[side.1 as usize][needs_it] += 1);
+    }
+    let mut is_any = false;
+    for &triangle in kept {
+        let [spared, needed] = open[triangle as usize];
+        if spared > 0 && needed == 0 {
+            balances[triangle as usize] = None;
+            is_any = true;
+        }
+    }
+    Ok(is_any)
 }
 
 /// Returns true if a facet has nothing to keep since crossings are split: all its triangles are

@@ -161,6 +161,35 @@ fn corners_on_the_line_of_an_edge_are_not_beside_it() {
     assert_holds(&mesh);
 }
 
+/// Holds that polygons which are bent as far as the caller allows are split as plane ones are.
+#[test]
+fn bent_polygons_are_split() {
+    let mut random = Random::new(11);
+    for (bend, bound) in [(0.0, 2.0), (1e-6, 2.0), (0.002, 2.0), (0.01, f64::INFINITY)] {
+        // Squares whose corners are above and below a plane, and two walls through them.
+        let places = (0..5).flat_map(|i| (0..5).map(move |j| [f64::from(i), f64::from(j)]));
+        let mut points: Vec<Point> = places.map(|[x, y]| [x, y, bend * random.unit()]).collect();
+        let squares = (0..4).flat_map(|i| (0..4).map(move |j| 5 * i + j));
+        let mut corners: Vec<u32> = squares.flat_map(|at| [at, at + 5, at + 6, at + 1]).collect();
+        for [[x, y], [z, w]] in [[[0.3, -1.0], [3.8, 5.0]], [[-1.0, 2.6], [5.0, 1.7]]] {
+            let first = points.len() as u32;
+            points.extend([[x, y, -1.0], [z, w, -1.0], [z, w, 1.0], [x, y, 1.0]]);
+            corners.extend([first, first + 1, first + 2, first + 3]);
+        }
+        let points = turned(&points);
+        let ends: Vec<u64> = (0..=corners.len() as u64 / 4).map(|facet| 4 * facet).collect();
+        let loops: Vec<u64> = (0..ends.len() as u64).collect();
+        let mut mesh = Mesh::new(3, points.len(), points.as_flattened(), 0).unwrap();
+        mesh.set_facets(&loops, &ends, &corners, None).unwrap();
+        let options = Options { coplanar: 2.0, ..split(Extent::All, bound) };
+        mesh.run(&options, None).unwrap_or_else(|e| panic!("{bend}: {}", e.message()));
+        assert_holds(&mesh);
+        // The squares and walls have 48 edges.
+        let subsegments = mesh.result().unwrap().boundary.subsegments.len();
+        assert!(subsegments > 60, "{bend}: {subsegments} subsegments");
+    }
+}
+
 /// Returns the area of the subfacets with simplices on both sides.
 fn area_of_walls(made: &Triangulation) -> f64 {
     let boundary = &made.boundary;

@@ -12,7 +12,7 @@ use crate::arrangement::reach::Reach;
 use crate::error::Result;
 use crate::memory::{TryGrow, collected};
 use crate::mesh::Feature;
-use crate::numerics::distance;
+use crate::numerics::{distance, orientation};
 
 /// Largest distance of a vertex from its facet, in what rounding explains of a point in it: six
 /// units in the last place.
@@ -87,7 +87,8 @@ fn is_wider_than_bends(
     })
 }
 
-/// Returns true if the vertices of a facet's triangles are near its plane.
+/// Returns true if the vertices of a facet's triangles are near its plane, or as far from it as its
+/// corners are: a polygon may be bent.
 fn is_flat(points: &[[f64; 3]], task: &TaskInSpace<'_>, facet: u32, own: &[Piece]) -> bool {
     let vertex = |&input: &u32| task.inputs.vertices()[input as usize];
     let corners = task.facets.loops(facet as usize).flatten().map(vertex);
@@ -100,8 +101,20 @@ fn is_flat(points: &[[f64; 3]], task: &TaskInSpace<'_>, facet: u32, own: &[Piece
     let Some(b) = most(&|x| distance(a, x)) else { return true };
     let Some(c) = most(&|x| from_line([a, b], x)) else { return true };
     let gauge = Gauge::new([a, b, c], units_of(corners.clone()));
+    let is_below = |x: &[f64; 3]| orientation(&[a, b, c, x]).is_negative();
+    // The largest distance of a corner above the plane, and below it.
+    let mut bends = [0.0f64; 2];
+    for x in corners {
+        let bend = &mut bends[usize::from(is_below(x))];
+        *bend = bend.max(gauge.measure(x).1);
+    }
+    let is_near = |x: &[f64; 3]| {
+        let (excess, distance) = gauge.measure(x);
+        let beyond = distance - bends[usize::from(is_below(x))];
+        excess <= MOST_OFF || beyond <= 0.0 || excess * (beyond / distance) <= MOST_OFF
+    };
     let mut vertices = own.iter().flat_map(Piece::vertices);
-    vertices.all(|&vertex| gauge.measure(&points[vertex as usize]).0 <= MOST_OFF)
+    vertices.all(|&vertex| is_near(&points[vertex as usize]))
 }
 
 /// Returns true if the edges that one triangle of a facet has are those into which its own edges

@@ -1,10 +1,13 @@
 //! The points nearest to others: a k-d tree, and the search in it; points that are as good as one.
+//! Boxes that meet others, or come near.
 
+mod boxes;
 mod merging;
 mod representatives;
 mod search;
 mod tree;
 
+pub(crate) use boxes::{Bounds, BoxTree, bounds_of};
 pub use merging::merge_points;
 pub use representatives::representatives;
 pub use search::Stop;

@@ -165,7 +165,7 @@ fn corners_on_the_line_of_an_edge_are_not_beside_it() {
 #[test]
 fn bent_polygons_are_split() {
     let mut random = Random::new(11);
-    for (bend, bound) in [(0.0, 2.0), (1e-6, 2.0), (0.002, 2.0), (0.01, f64::INFINITY)] {
+    for (bend, bound) in [(0.0, 2.0), (1e-6, 2.0), (0.002, f64::INFINITY), (0.01, 2.0)] {
         // Squares whose corners are above and below a plane, and two walls through them.
         let places = (0..5).flat_map(|i| (0..5).map(move |j| [f64::from(i), f64::from(j)]));
         let mut points: Vec<Point> = places.map(|[x, y]| [x, y, bend * random.unit()]).collect();

@@ -2,6 +2,7 @@
 //! certificate says so of every mesh here, at its third level.
 
 mod angles;
+mod bent;
 mod cages;
 mod crossings;
 mod curvature;

@@ -1,6 +1,5 @@
 //! Edges of a polygon that meet each other though they must not.
 
-use super::boxes::{BoxTree, bounds_of};
 use super::meet::{Meeting, is_between, meet};
 use super::polygon::{Polygon, PolygonEdge};
 use super::projection::Projection;
@@ -8,6 +7,7 @@ use crate::arrangement::poll::Poll;
 use crate::error::Result;
 use crate::memory::{AllocResult, collected};
 use crate::mesh::IntersectionKind;
+use crate::nearest::{BoxTree, bounds_of};
 use crate::numerics::point_between;
 
 /// Returns how, and about where, edges of a polygon meet in a projection: the worst case, and of

@@ -2,7 +2,6 @@
 //! enough to do so, too. A chord of length h of a circle with radius R has its middle at most e
 //! from the circle if h^2 <= 4 e (2 R - e). From there sizes grow with the distance.
 
-use super::boxes::{Bounds, BoxTree, bounds_of};
 use super::points_of;
 use super::projection::{normal, tangent_of_half};
 use super::sides::{Side, Sides};
@@ -10,6 +9,7 @@ use crate::arrangement::poll::Poll;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected, with_capacity};
 use crate::mesh::{Arrangement, FacetTriangle, Inputs};
+use crate::nearest::{Bounds, BoxTree, bounds_of};
 use crate::numerics::{coordinates, distance, distance_to_edge, distance_to_line, norm};
 
 /// Largest angle in degrees by which facets of a round surface bend: those of an octagon bend by

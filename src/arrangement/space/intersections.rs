@@ -1,12 +1,12 @@
 //! All pairs of facets and segments that meet though they must not.
 
-use super::boxes::{Bounds, BoxTree, bounds_of};
 use super::meet::{Meeting, meet};
 use super::pieces::{Piece, Pieces};
 use crate::arrangement::poll::Poll;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected, copied, reserve};
 use crate::mesh::{Feature, Intersection, IntersectionKind};
+use crate::nearest::{Bounds, BoxTree, bounds_of};
 use std::cmp::Reverse;
 
 /// Number of polls' units of work for the meeting of two pieces.

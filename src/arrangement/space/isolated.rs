@@ -1,7 +1,6 @@
 //! Inputs that no facet or segment has but that are on one, exactly or up to rounding: segments and
 //! edges go through them, and facets have them as vertices.
 
-use super::boxes::{Bounds, BoxTree, bounds_of};
 use super::meet::is_between;
 use super::pieces::{Piece, Pieces};
 use super::plane::{Gauge, units_of};
@@ -11,6 +10,7 @@ use crate::arrangement::poll::Poll;
 use crate::arrangement::reach::Reach;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected, filled};
+use crate::nearest::{Bounds, BoxTree, bounds_of};
 use crate::numerics::orientation;
 use std::ops::Range;
 

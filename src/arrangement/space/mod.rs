@@ -4,9 +4,9 @@
 //! - [`polygon`] splits a polygon facet into triangles between its vertices, by a triangulation
 //!   that has its edges ([`planar`]) in a [`projection`] of its [`plane`]; [`pieces`] has the
 //!   triangles of all facets, and the segments.
-//! - [`boxes`] finds pairs of these whose boxes meet, [`meet`] tells exactly whether and how two
-//!   meet, and [`intersections`] collects all that must not; [`crossed`] does that for the edges of
-//!   one polygon. [`faults`] has the words for what is refused.
+//! - [`meet`] tells exactly whether and how two of these meet, and [`intersections`] collects all
+//!   that must not; [`crossed`] does that for the edges of one polygon. [`faults`] has the words
+//!   for what is refused.
 //! - [`isolated`] finds inputs on facets and segments that these do not have.
 //! - [`split`] makes vertices and edges of crossings, and leaves areas that facets share to the
 //!   first of them; [`duplicates`] has triangles that are there several times.
@@ -23,7 +23,6 @@
 mod bends;
 #[cfg(test)]
 mod bent_tests;
-mod boxes;
 mod closed;
 mod crossed;
 mod curvature;

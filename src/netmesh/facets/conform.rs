@@ -3,9 +3,10 @@
 use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
-use crate::memory::{collected, with_capacity};
+use crate::memory::{TryGrow, collected, with_capacity};
 use crate::mesh::{ArrangedFacet, Arrangement, NONE, Subsegment};
 use crate::netmesh::state::Mesher;
+use crate::netmesh::state::facets::bent::Bent;
 use crate::netmesh::state::facets::plane::Plane;
 use crate::netmesh::state::facets::{Facet, Facets};
 use crate::netmesh::state::segments::chain::{Chains, Line};
@@ -47,6 +48,7 @@ impl Mesher<'_, '_, 3> {
         }))?;
         self.watch.poll()?;
         let mut facets = with_capacity(arrangement.facets.len())?;
+        let mut all_bent = Vec::new();
         let mut rest = &triangles[..];
         // Parts of one of the caller's facets are in its plane: in their own they would be off it.
         let is_one =
@@ -59,16 +61,24 @@ impl Mesher<'_, '_, 3> {
             let borrowed = borrowed.map(|own| own.map(|input| vertices[input as usize]));
             let all = rest[..own].iter().map(|triangle| triangle.0).chain(borrowed);
             let points = all.map(|own| own.map(|vertex| *self.state.delaunay.point(vertex)));
-            let plane = Plane::of(&collected(points)?);
-            for facet in parts {
-                facets.push(Facet { parent: facet.parent, plane, first_radius: f64::INFINITY });
+            let points = collected(points)?;
+            let plane = Plane::of(&points);
+            let bent = match Bent::of(&plane, &points)? {
+                Some(own) => {
+                    all_bent.try_push(own)?;
+                    all_bent.len() as u32 - 1
+                }
+                None => NONE,
+            };
+            for &ArrangedFacet { parent, .. } in parts {
+                facets.push(Facet { parent, plane, bent, first_radius: f64::INFINITY });
             }
             rest = &rest[own..];
         }
         let balances = collected(arrangement.facets.iter().map(|facet| facet.balance))?;
         let count = self.state.delaunay.point_count();
         let chains = &self.state.segments.chains;
-        Facets::new(facets, &balances, &triangles, chains, count, &mut self.watch)
+        Facets::new((facets, all_bent), &balances, &triangles, chains, count, &mut self.watch)
     }
 }
 

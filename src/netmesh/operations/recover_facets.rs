@@ -169,7 +169,7 @@ impl State<3> {
             return self.split_to_insert(at, x);
         }
         let (center, _) = self.circle_of(subfacet);
-        let x = self.facets.plane_of(subfacet).at(&center);
+        let x = self.facets.point_at(self.facets.get(subfacet).facet, &center);
         if x.iter().any(|x| !x.is_finite()) {
             return Ok(Split::Subfacet(subfacet, x));
         }

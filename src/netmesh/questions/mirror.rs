@@ -14,7 +14,6 @@ use crate::memory::AllocResult;
 use crate::netmesh::questions::subfacets::OnSheet;
 use crate::netmesh::state::State;
 use crate::netmesh::state::facets::meetings::Meeting;
-use crate::netmesh::state::facets::plane::Plane;
 use crate::numerics::{distance, foot_on_line, norm, orientation};
 
 /// Largest distance of a vertex from its image, relative to that of the image from the nearest
@@ -36,7 +35,6 @@ struct Target {
     vertices: [VertexId; 3],
     center: [f64; 3],
     radius: f64,
-    plane: Plane,
     /// Largest distance of a vertex from its foot, relative to that from the nearest vertex, where
     /// the facets share nothing.
     beside_foot: f64,
@@ -69,10 +67,9 @@ impl State<3> {
         let own = *self.facets.get(subfacet);
         let (center, radius) = self.circle_of(subfacet);
         let (facet, vertices) = (own.facet, own.vertices);
-        let plane = *self.facets.plane_of(subfacet);
         let is_deep = radius < DEEP * self.facets.facets[facet as usize].first_radius;
         let beside_foot = if is_deep { BESIDE_COPY } else { BESIDE_FOOT };
-        let target = Target { subfacet, facet, vertices, center, radius, plane, beside_foot };
+        let target = Target { subfacet, facet, vertices, center, radius, beside_foot };
         let mut star = std::mem::take(&mut self.facets.star);
         let mut best: Option<Image> = None;
         for vertex in vertices {
@@ -113,17 +110,18 @@ impl State<3> {
         }
         let x = self.delaunay.point(vertex);
         distance(x, &target.center) < target.radius
-            && distance(x, &target.plane.foot(x)) <= BESIDE_COPY * target.radius
+            && distance(x, &self.facets.foot(target.facet, x)) <= BESIDE_COPY * target.radius
             && !self.facets_of(vertex).any(|facet| facet == target.facet)
     }
 
     /// Returns the image of a vertex in the sheet of `target`, if the vertex is near to it.
     fn image_of(&self, vertex: VertexId, target: &Target) -> Option<Image> {
         let x = self.delaunay.point(vertex);
+        let foot = || self.facets.foot(target.facet, x);
         let (place, beside) = match self.meeting_with(vertex, target.facet) {
-            Some(Meeting::Line(line)) => (self.turned(x, line, &target.plane), BESIDE_COPY),
-            Some(Meeting::Vertex(_)) => (target.plane.foot(x), BESIDE_FOOT),
-            None => (target.plane.foot(x), target.beside_foot),
+            Some(Meeting::Line(line)) => (self.turned(x, line, target.facet), BESIDE_COPY),
+            Some(Meeting::Vertex(_)) => (foot(), BESIDE_FOOT),
+            None => (foot(), target.beside_foot),
         };
         let gap = distance(x, &place);
         let nearest = |vertices: [VertexId; 3]| {
@@ -140,28 +138,29 @@ impl State<3> {
         };
         let around = self.facets.get(subfacet).vertices;
         let is_beside = gap <= beside * nearest(around)
-            && [target.vertices, around].iter().all(|own| self.is_off(x, *own, &target.plane));
+            && [target.vertices, around].iter().all(|own| self.is_off(x, *own, target.facet));
         is_beside.then_some(Image { vertex, subfacet, place, depth })
     }
 
     /// Returns true if `x` is off a subfacet, on the same side as it is off the plane. An image
     /// would be on the wrong side of the vertex otherwise: where roundings, or triangles that were
     /// merged, have subfacets off their plane by more than the vertex is.
-    fn is_off(&self, x: &[f64; 3], subfacet: [VertexId; 3], plane: &Plane) -> bool {
+    fn is_off(&self, x: &[f64; 3], subfacet: [VertexId; 3], facet: u32) -> bool {
+        let plane = self.facets.plane_at(facet, x);
         let [a, b, c] = self.points_of(subfacet);
         let [u, v, w] = [a, b, c].map(|corner| plane.at(corner));
         let side = orientation(&[a, b, c, x]);
         !side.is_zero() && side == orientation(&[&u, &v, &w, x])
     }
 
-    /// Returns the copy of `x`, turned about a line into a plane that goes through that.
-    fn turned(&self, x: &[f64; 3], line: u32, plane: &Plane) -> [f64; 3] {
+    /// Returns the copy of `x`, turned about a line into a facet that has that.
+    fn turned(&self, x: &[f64; 3], line: u32, facet: u32) -> [f64; 3] {
         let ends = self.segments.chains.lines[line as usize].ends;
         let foot = foot_on_line(x, ends.map(|end| self.delaunay.point(end)));
-        let flat = plane.foot(x);
+        let flat = self.facets.foot(facet, x);
         let way: [f64; 3] = std::array::from_fn(|k| flat[k] - foot[k]);
         let stretch = distance(x, &foot) / norm(&way);
-        plane.at(&std::array::from_fn(|k| foot[k] + stretch * way[k]))
+        self.facets.point_at(facet, &std::array::from_fn(|k| foot[k] + stretch * way[k]))
     }
 
     /// Returns where a facet of `vertex` meets another facet at a small angle, a line if there is

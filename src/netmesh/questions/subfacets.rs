@@ -190,7 +190,8 @@ impl State<3> {
 
     /// Returns true if a live simplex is flat within a facet: it has a face that is a subfacet, and
     /// the vertex opposite is on the facet, and on its plane within roundings. One on the plane
-    /// alone may be of a facet beside one that bends.
+    /// alone may be of a facet beside one that bends. On a facet that is bent itself, all four are
+    /// on the plane of one triangle.
     pub(in crate::netmesh) fn is_flat(&self, simplex: SimplexId) -> bool {
         let vertices = self.delaunay.complex().vertices(simplex);
         if !vertices.iter().all(|&vertex| self.facets.holds(vertex)) {
@@ -200,8 +201,14 @@ impl State<3> {
             let subfacet = self.facets.face(&face.map(|at| vertices[at]));
             subfacet.is_some_and(|subfacet| {
                 let (vertex, own) = (vertices[opposite], self.facets.get(subfacet).facet);
-                self.facets.plane_of(subfacet).is_near(self.delaunay.point(vertex))
-                    && self.facets_of(vertex).any(|facet| facet == own)
+                let x = self.delaunay.point(vertex);
+                let plane = self.facets.plane_at(own, x);
+                let is_near = |vertex: &VertexId| plane.is_near(self.delaunay.point(*vertex));
+                let is_flat = match self.facets.is_bent(own) {
+                    true => vertices.iter().all(is_near),
+                    false => is_near(&vertex),
+                };
+                is_flat && self.facets_of(vertex).any(|facet| facet == own)
             })
         })
     }

@@ -2,7 +2,6 @@
 //! random, so that they are looked at in a projection, where they are in one plane exactly.
 
 use super::super::bends::{normal, normalized};
-use super::super::boxes::{Bounds, bounds_of};
 use super::super::intersections::each_pair;
 use super::super::meet::meet;
 use super::super::pieces::{Piece, Pieces};
@@ -11,6 +10,7 @@ use super::super::projection::Projection;
 use crate::arrangement::poll::Poll;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected};
+use crate::nearest::{Bounds, bounds_of};
 use crate::numerics::norm;
 use std::array::from_fn;
 

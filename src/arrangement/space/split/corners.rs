@@ -1,6 +1,5 @@
 //! The corners of what pairs of pieces share.
 
-use super::super::boxes::bounds_of;
 use super::super::crossed::{each_meeting_of_edges, images, point_of_edge, vertices_on_edges};
 use super::super::intersections::each_pair;
 use super::super::meet::{Face, corner, meet};
@@ -15,6 +14,7 @@ use crate::arrangement::reach::Reach;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow};
 use crate::mesh::NONE;
+use crate::nearest::bounds_of;
 use std::array::from_fn;
 
 /// Corners of what pieces share, by pairs of pieces, and the points where there is no vertex yet.

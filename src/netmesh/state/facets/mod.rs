@@ -5,6 +5,7 @@
 //! a subfacet has the next one of its *pages* for a neighbour: all subfacets at a subsegment,
 //! whatever their facets, stand in a circle.
 
+pub(in crate::netmesh) mod bent;
 pub(in crate::netmesh) mod faces;
 pub(in crate::netmesh) mod floors;
 pub(in crate::netmesh) mod meetings;
@@ -17,6 +18,7 @@ use crate::memory::{
     AllocError, AllocResult, Array, Lists, TryGrow, filled, sorted_in_buckets, with_capacity,
 };
 use crate::mesh::NONE;
+use crate::netmesh::state::facets::bent::Bent;
 use crate::netmesh::state::facets::faces::Faces;
 use crate::netmesh::state::facets::floors::Floors;
 use crate::netmesh::state::facets::meetings::Meetings;
@@ -29,6 +31,8 @@ use std::collections::BinaryHeap;
 #[derive(Default)]
 pub(in crate::netmesh) struct Facets {
     pub facets: Vec<Facet>,
+    /// Triangles of facets that are bent.
+    bent: Vec<Bent>,
     /// Walls: sets of subfacets of one facet that are connected without crossing a subsegment.
     pub walls: Vec<Wall>,
     subfacets: Vec<Subfacet>,
@@ -91,6 +95,8 @@ pub(in crate::netmesh) struct Facet {
     /// The first of the caller's facets that it is made of.
     pub parent: u32,
     pub plane: Plane,
+    /// Place of its triangles among those of bent facets, [`NONE`] for one that is flat.
+    pub bent: u32,
     /// Radius of its smallest subfacet before any was split; infinite until that is known.
     pub first_radius: f64,
 }
@@ -149,14 +155,14 @@ impl Facets {
     /// Makes the sheets of `triangles`, each given with its vertices and facet. Edges that are
     /// lines of `chains`, all of one subsegment, are their subsegments.
     pub fn new(
-        facets: Vec<Facet>,
+        (facets, bent): (Vec<Facet>, Vec<Bent>),
         balances: &[i64],
         triangles: &[([VertexId; 3], u32)],
         chains: &Chains,
         vertices: usize,
         watch: &mut Watch<'_, '_>,
     ) -> Result<Self> {
-        let mut sheets = Self { facets, ..Self::default() };
+        let mut sheets = Self { facets, bent, ..Self::default() };
         sheets.holds = Array::filled(vertices, false)?;
         sheets.pages = filled(chains.len(), NONE)?;
         sheets.subfacets = with_capacity(triangles.len())?;
@@ -323,6 +329,29 @@ impl Facets {
 
     pub fn plane_of(&self, subfacet: u32) -> &Plane {
         &self.facets[self.get(subfacet).facet as usize].plane
+    }
+
+    /// Returns the plane of a facet there where a point is in its projection: that of one of its
+    /// triangles if the facet is bent.
+    pub fn plane_at(&self, facet: u32, x: &[f64; 3]) -> &Plane {
+        let Facet { plane, bent, .. } = &self.facets[facet as usize];
+        let bent = self.bent.get(*bent as usize);
+        bent.and_then(|bent| bent.plane_at(plane.image(x))).unwrap_or(plane)
+    }
+
+    /// Returns true if some corners of the caller's triangles are off the plane of a facet.
+    pub fn is_bent(&self, facet: u32) -> bool {
+        self.facets[facet as usize].bent != NONE
+    }
+
+    /// Returns the point of a facet that is at `x` in its projection, rounded.
+    pub fn point_at(&self, facet: u32, x: &[f64; 3]) -> [f64; 3] {
+        self.plane_at(facet, x).at(x)
+    }
+
+    /// Returns a point of a facet near `x`: the nearest of the plane there, put on the facet.
+    pub fn foot(&self, facet: u32, x: &[f64; 3]) -> [f64; 3] {
+        self.point_at(facet, &self.plane_at(facet, x).foot(x))
     }
 
     /// Notes the radius of a subfacet that was not split yet.

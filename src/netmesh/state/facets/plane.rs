@@ -20,7 +20,7 @@ pub(in crate::netmesh) struct Plane {
 }
 
 /// Returns the power of two that is no larger than `x`, but in a range whose inverses are normal.
-fn power_below(x: f64) -> f64 {
+pub(super) fn power_below(x: f64) -> f64 {
     const RANGE: std::ops::RangeInclusive<u64> = 4..=2042;
     let exponent = (x.to_bits() >> 52 & 0x7ff).clamp(*RANGE.start(), *RANGE.end());
     f64::from_bits(exponent << 52)
@@ -33,31 +33,26 @@ impl Plane {
     pub fn of(triangles: &[[[f64; 3]; 3]]) -> Self {
         let lower = |x: [f64; 3], y: [f64; 3]| if y < x { y } else { x };
         let origin = triangles.iter().flatten().copied().fold(triangles[0][0], lower);
-        let reach =
-            triangles.iter().flatten().flat_map(|x| (0..3).map(|k| (x[k] - origin[k]).abs()));
-        let power = power_below(reach.fold(0.0, f64::max));
-        let mut normal = [DoubleDouble::ZERO; 3];
-        for [a, b, c] in triangles {
-            let way = |to: &[f64; 3]| -> [DoubleDouble; 3] {
-                std::array::from_fn(|k| DoubleDouble::difference(to[k] / power, a[k] / power))
-            };
-            let (u, v) = (way(b), way(c));
-            normal = std::array::from_fn(|k| {
-                let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-                normal[k] + (u[i] * v[j] - u[j] * v[i])
-            });
-        }
+        let normal = normal_of(triangles, &origin);
         let size = |k: usize| normal[k].high.abs();
         let dropped = (1..3).fold(0, |best, k| if size(k) > size(best) { k } else { best });
         let mut axes = [(dropped + 1) % 3, (dropped + 2) % 3];
         if normal[dropped].high < 0.0 {
             axes.swap(0, 1);
         }
-        let slopes = axes.map(|axis| match normal[dropped].high == 0.0 {
-            true => DoubleDouble::ZERO,
-            false => -(normal[axis] / normal[dropped]),
-        });
-        Self { origin, axes, dropped, slopes }
+        Self { origin, axes, dropped, slopes: slopes(&normal, dropped, axes) }
+    }
+
+    /// Returns the plane of one of the triangles that this is the plane of, in the same projection.
+    pub fn of_part(&self, triangle: &[[f64; 3]; 3]) -> Self {
+        let origin = triangle[0];
+        let normal = normal_of(&[*triangle], &origin);
+        Self { origin, slopes: slopes(&normal, self.dropped, self.axes), ..*self }
+    }
+
+    /// Returns where a point is in the projection.
+    pub fn image(&self, x: &[f64; 3]) -> [f64; 2] {
+        self.axes.map(|axis| x[axis])
     }
 
     /// Returns the point of the plane that is at `x` in the projection, rounded.
@@ -96,9 +91,36 @@ impl Plane {
     /// Returns the sign of the area of a triangle in the projection: positive for those of the
     /// facet.
     pub fn turn(&self, triangle: [&[f64; 3]; 3]) -> Sign {
-        let flat = triangle.map(|x| self.axes.map(|axis| x[axis]));
+        let flat = triangle.map(|x| self.image(x));
         orientation(&[&flat[0], &flat[1], &flat[2]])
     }
+}
+
+/// Returns the sum of the normals of triangles, divided by a power of two, which depends on how far
+/// they reach from `origin`.
+fn normal_of(triangles: &[[[f64; 3]; 3]], origin: &[f64; 3]) -> [DoubleDouble; 3] {
+    let reach = triangles.iter().flatten().flat_map(|x| (0..3).map(|k| (x[k] - origin[k]).abs()));
+    let power = power_below(reach.fold(0.0, f64::max));
+    let mut normal = [DoubleDouble::ZERO; 3];
+    for [a, b, c] in triangles {
+        let way = |to: &[f64; 3]| -> [DoubleDouble; 3] {
+            std::array::from_fn(|k| DoubleDouble::difference(to[k] / power, a[k] / power))
+        };
+        let (u, v) = (way(b), way(c));
+        normal = std::array::from_fn(|k| {
+            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+            normal[k] + (u[i] * v[j] - u[j] * v[i])
+        });
+    }
+    normal
+}
+
+/// Returns the changes of the dropped coordinate along the axes of a projection.
+fn slopes(normal: &[DoubleDouble; 3], dropped: usize, axes: [usize; 2]) -> [DoubleDouble; 2] {
+    axes.map(|axis| match normal[dropped].high == 0.0 {
+        true => DoubleDouble::ZERO,
+        false => -(normal[axis] / normal[dropped]),
+    })
 }
 
 #[cfg(test)]

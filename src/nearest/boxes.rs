@@ -1,19 +1,21 @@
 //! A tree of boxes, and all pairs of them that meet.
 
-use crate::arrangement::poll::Poll;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected, filled};
-use crate::nearest::Tree;
+use crate::nearest::tree::Tree;
 use std::borrow::Cow;
 
 /// Smallest box that contains something: its least and its largest coordinates.
-pub(super) type Bounds = [[f64; 3]; 2];
+pub(crate) type Bounds = [[f64; 3]; 2];
+
+/// Function that is told of work done, and may end the search by an error.
+type Poll<'a> = &'a mut dyn FnMut(u32) -> Result<()>;
 
 /// Number of pairs of boxes for which a poll counts one unit of work.
 const PAIRS_OF_A_POLL: u32 = 16;
 
 /// Tree of boxes. The centres of boxes make a k-d tree, whose nodes have bounds.
-pub(super) struct BoxTree<'a> {
+pub(crate) struct BoxTree<'a> {
     boxes: Cow<'a, [Bounds]>,
     tree: Tree,
     /// Node -> the bounds of all boxes below it; those of leaves follow those of inner nodes.
@@ -161,7 +163,7 @@ impl<'a> BoxTree<'a> {
 const NOTHING: Bounds = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
 
 /// Returns the bounds of points.
-pub(super) fn bounds_of<'a>(points: impl Iterator<Item = &'a [f64; 3]>) -> Bounds {
+pub(crate) fn bounds_of<'a>(points: impl Iterator<Item = &'a [f64; 3]>) -> Bounds {
     points.fold(NOTHING, |[low, high], x| {
         [std::array::from_fn(|k| low[k].min(x[k])), std::array::from_fn(|k| high[k].max(x[k]))]
     })

@@ -1,0 +1,52 @@
+//! Facets that are bent as far as the caller allows: their vertices are on the caller's triangles.
+
+use super::crossings::surface;
+use super::{Point, assert_holds, bounded};
+use netmesh::options::Options;
+
+/// Appends a strip of squares that bends by some degrees at every edge, at `distance` from another
+/// such one.
+fn add_strip(points: &mut Vec<Point>, triangles: &mut Vec<[u32; 3]>, degrees: f64, distance: f64) {
+    let first = points.len() as u32;
+    let (mut x, mut z) = (0.0, distance);
+    for edge in 0..6 {
+        points.extend([[x, 0.0, z], [x, 0.1, z]]);
+        let angle = (degrees * f64::from(edge)).to_radians();
+        (x, z) = (x + 0.02 * angle.cos(), z + 0.02 * angle.sin());
+    }
+    for square in 0..5 {
+        let [a, b, c, d] = [0, 2, 3, 1].map(|corner| first + 2 * square + corner);
+        triangles.extend([[a, b, c], [a, c, d]]);
+    }
+}
+
+/// Holds that two strips do not cross that are nearer to each other than to their planes.
+#[test]
+fn strips_that_are_bent_alike_are_apart() {
+    let (mut points, mut triangles) = (Vec::new(), Vec::new());
+    add_strip(&mut points, &mut triangles, 1.2, 0.0);
+    add_strip(&mut points, &mut triangles, 1.2, 1e-3);
+    let mut mesh = surface(&points, &triangles);
+    let options = Options { coplanar: 5.0, max_vertices: 100_000, ..bounded(2.0) };
+    mesh.run(&options, None).unwrap_or_else(|error| panic!("{}", error.message()));
+    assert_holds(&mesh);
+    let made = mesh.result().unwrap();
+    let mut parents = made.boundary.subfacet_parents.clone();
+    parents.dedup();
+    assert_eq!(parents, [0, 10], "two facets");
+    // Off the chain of edges between squares by no more than a triangle of the sheet may cut off.
+    let height = |x: f64| {
+        let at = points[..12].windows(4).step_by(2).find(|own| x <= own[2][0]);
+        let [from, _, to, _] = at
+            .map_or([&points[8], &points[9], &points[10], &points[11]], |own| {
+                [&own[0], &own[1], &own[2], &own[3]]
+            });
+        from[2] + (x - from[0]) / (to[0] - from[0]) * (to[2] - from[2])
+    };
+    let corners = made.boundary.subfacets.iter().flatten();
+    let on_first = corners.zip(0..).filter(|(_, at)| made.boundary.subfacet_parents[at / 3] == 0);
+    for (&vertex, _) in on_first {
+        let x = &made.points[3 * vertex as usize..][..3];
+        assert!((x[2] - height(x[0])).abs() < 1e-12, "{x:?} is off the strip");
+    }
+}

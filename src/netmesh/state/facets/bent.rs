@@ -11,6 +11,10 @@ use std::cell::Cell;
 /// it: sheets end at chains, which are as far from the edges of triangles at most.
 const BESIDE: f64 = 64.0;
 
+/// Distance from its plane, in units in the last place of the facet's largest coordinate, up to
+/// which a facet goes through inputs that are beside it, and is flat all the same.
+const FLAT: f64 = 128.0;
+
 /// Triangles of a bent facet, with the planes of each.
 pub(in crate::netmesh) struct Bent {
     /// Triangle -> its corners in the projection of the facet, and its plane.
@@ -22,9 +26,12 @@ pub(in crate::netmesh) struct Bent {
 
 impl Bent {
     /// Returns the triangles of a facet if some of their corners are off its plane by more than
-    /// roundings; `None` for one that is flat. O(n log n).
+    /// roundings explain; `None` for one that is flat. O(n log n).
     pub fn of(plane: &Plane, triangles: &[[[f64; 3]; 3]]) -> AllocResult<Option<Self>> {
-        if triangles.iter().flatten().all(|corner| plane.is_near(corner)) {
+        let corners = || triangles.iter().flatten();
+        let largest = corners().flatten().fold(0.0f64, |largest, x| largest.max(x.abs()));
+        let most = FLAT * (largest.next_up() - largest);
+        if corners().all(|corner| plane.height(corner).abs() <= most) {
             return Ok(None);
         }
         let of_triangle = |own: &[[f64; 3]; 3]| (own.map(|x| plane.image(&x)), plane.of_part(own));

@@ -70,7 +70,7 @@ impl Plane {
 
     /// Returns the point of the plane that is nearest to `x`, rounded.
     pub fn foot(&self, x: &[f64; 3]) -> [f64; 3] {
-        let height = x[self.dropped] - self.at(x)[self.dropped];
+        let height = self.height(x);
         let slopes = self.slopes.map(|slope| slope.high);
         // The normal is (-slopes, 1).
         let part = height / (1.0 + slopes[0] * slopes[0] + slopes[1] * slopes[1]);
@@ -81,11 +81,15 @@ impl Plane {
         self.at(&foot)
     }
 
+    /// Returns the height of `x` above the plane, along the axis that the projection drops.
+    pub fn height(&self, x: &[f64; 3]) -> f64 {
+        x[self.dropped] - self.at(x)[self.dropped]
+    }
+
     /// Returns true if `x` is on the plane within roundings.
     pub fn is_near(&self, x: &[f64; 3]) -> bool {
-        let (on, own) = (self.at(x)[self.dropped], x[self.dropped]);
         let largest = x.iter().fold(0.0f64, |most, x| most.max(x.abs()));
-        (on - own).abs() <= NEAR * (largest.next_up() - largest)
+        self.height(x).abs() <= NEAR * (largest.next_up() - largest)
     }
 
     /// Returns the sign of the area of a triangle in the projection: positive for those of the

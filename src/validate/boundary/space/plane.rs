@@ -11,7 +11,8 @@
 //! so may vertices of a chain, which may bend through such an input: [`super::ways`] holds them to
 //! the line between the inputs next to them, so that only those of a chain that bends are farther
 //! than one unit. If crossings are split a facet goes through vertices at these, which are off it
-//! by roundings, and all vertices on it may be as far.
+//! by roundings, and all vertices on it may be as far. So may those of a facet that is bent by more
+//! than that itself: they are on its triangles, which go through inputs beside it.
 
 use super::super::chains::BENT;
 use super::super::exact::unit_in_last_place;
@@ -190,6 +191,14 @@ fn falls_below(height: &Sum, normal: &[f64; 3], point: &[f64; 3]) -> bool {
     difference.sign() == Ordering::Less
 }
 
+/// Returns true if the inputs of a facet are farther from one plane than those beside it may be.
+fn is_bent(facet: &Facet, units: &[f64; 3], ways: &Ways<'_>) -> bool {
+    let mut points = facet.corners.iter().map(|&corner| ways.input(corner));
+    let mut slab = Slab::of(&facet.normal, points.clone().take(1));
+    slab.widen(&facet.normal, &units.map(|unit| BENT * unit));
+    points.any(|point| !slab.holds(&facet.normal, point))
+}
+
 /// Checks the distance of the vertices of a facet from its plane.
 pub(super) fn check(
     facet: &Facet,
@@ -204,8 +213,9 @@ pub(super) fn check(
     slab.widen(normal, &units.map(|unit| ROUNDED * unit));
     let mut wide = Slab { low: slab.low.clone(), high: slab.high.clone() };
     wide.widen(normal, &units.map(|unit| (BENT - ROUNDED) * unit));
+    let goes_beside = ways.splits_crossings() || is_bent(facet, &units, ways);
     for vertex in vertices {
-        let is_bent = ways.splits_crossings() || ways.is_input(vertex) || ways.is_on_chain(vertex);
+        let is_bent = goes_beside || ways.is_input(vertex) || ways.is_on_chain(vertex);
         let limit = if is_bent { &wide } else { &slab };
         findings.check(limit.holds(normal, ways.view.point(vertex)), || {
             let message = message!(

@@ -1,7 +1,8 @@
 //! Facets that are bent as far as the caller allows: their vertices are on the caller's triangles.
 
-use super::crossings::surface;
+use super::crossings::{surface, turned};
 use super::{Point, assert_holds, bounded};
+use crate::random::Random;
 use netmesh::options::Options;
 
 /// Appends a strip of squares that bends by some degrees at every edge, at `distance` from another
@@ -48,5 +49,26 @@ fn strips_that_are_bent_alike_are_apart() {
     for (&vertex, _) in on_first {
         let x = &made.points[3 * vertex as usize..][..3];
         assert!((x[2] - height(x[0])).abs() < 1e-12, "{x:?} is off the strip");
+    }
+}
+
+/// Holds that a facet which is hardly bent goes through inputs beside its highest corner.
+#[test]
+fn a_bent_facet_goes_through_inputs_beside_it() {
+    let mut random = Random::new(5);
+    for height in [1e-13, 2e-13, 4e-13] {
+        let corners = [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, height], [0.0, 1.0, 0.0]];
+        let mut points = corners.to_vec();
+        for _ in 0..60 {
+            let part = 2e-3 * random.unit();
+            let [u, v] = [part * random.unit(), part];
+            let beside = 3.0 * f64::EPSILON * random.unit();
+            points.push([1.0 - u, 1.0 - v, height * (1.0 - v) + beside]);
+        }
+        let points = turned(&points);
+        let mut mesh = surface(&points, &[[0, 1, 2], [0, 2, 3]]);
+        let options = Options { coplanar: 1e-3, ..bounded(2.0) };
+        mesh.run(&options, None).unwrap_or_else(|error| panic!("{height}: {}", error.message()));
+        assert_holds(&mesh);
     }
 }

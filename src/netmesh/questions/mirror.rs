@@ -14,6 +14,7 @@ use crate::memory::AllocResult;
 use crate::netmesh::questions::subfacets::OnSheet;
 use crate::netmesh::state::State;
 use crate::netmesh::state::facets::meetings::Meeting;
+use crate::netmesh::state::facets::plane::Plane;
 use crate::numerics::{distance, foot_on_line, norm, orientation};
 
 /// Largest distance of a vertex from its image, relative to that of the image from the nearest
@@ -137,16 +138,16 @@ impl State<3> {
             return None;
         };
         let around = self.facets.get(subfacet).vertices;
+        let plane = self.facets.plane_at(target.facet, x);
         let is_beside = gap <= beside * nearest(around)
-            && [target.vertices, around].iter().all(|own| self.is_off(x, *own, target.facet));
+            && [target.vertices, around].iter().all(|own| self.is_off(x, *own, plane));
         is_beside.then_some(Image { vertex, subfacet, place, depth })
     }
 
     /// Returns true if `x` is off a subfacet, on the same side as it is off the plane. An image
     /// would be on the wrong side of the vertex otherwise: where roundings, or triangles that were
     /// merged, have subfacets off their plane by more than the vertex is.
-    fn is_off(&self, x: &[f64; 3], subfacet: [VertexId; 3], facet: u32) -> bool {
-        let plane = self.facets.plane_at(facet, x);
+    fn is_off(&self, x: &[f64; 3], subfacet: [VertexId; 3], plane: &Plane) -> bool {
         let [a, b, c] = self.points_of(subfacet);
         let [u, v, w] = [a, b, c].map(|corner| plane.at(corner));
         let side = orientation(&[a, b, c, x]);

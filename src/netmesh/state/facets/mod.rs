@@ -351,7 +351,8 @@ impl Facets {
 
     /// Returns a point of a facet near `x`: the nearest of the plane there, put on the facet.
     pub fn foot(&self, facet: u32, x: &[f64; 3]) -> [f64; 3] {
-        self.point_at(facet, &self.plane_at(facet, x).foot(x))
+        let foot = self.plane_at(facet, x).foot(x);
+        if self.is_bent(facet) { self.point_at(facet, &foot) } else { foot }
     }
 
     /// Notes the radius of a subfacet that was not split yet.

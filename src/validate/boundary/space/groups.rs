@@ -180,6 +180,9 @@ fn leave_out_between(
     for &triangle in kept {
         is_narrow[triangle as usize] = ways.is_needle(triangles[triangle as usize])?;
     }
+    if !is_narrow.contains(&true) {
+        return Ok(false);
+    }
     let mut open = filled(triangles.len(), [0u8; 2])?;
     for same in sides(triangles, kept)?.chunk_by(|a, b| a.0 == b.0) {
         let narrow = || same.iter().filter(|side| is_narrow[side.1 as usize]);

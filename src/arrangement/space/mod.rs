@@ -44,6 +44,7 @@ mod meet;
 mod meet_tests;
 mod merge;
 mod odd_edges;
+mod off_plane;
 #[cfg(test)]
 mod oracle;
 mod pieces;

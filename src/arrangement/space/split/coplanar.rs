@@ -4,6 +4,7 @@
 use super::super::bends::{normal, normalized};
 use super::super::intersections::each_pair;
 use super::super::meet::meet;
+use super::super::off_plane::is_clearly_off;
 use super::super::pieces::{Piece, Pieces};
 use super::super::plane::{Gauge, units_of};
 use super::super::projection::Projection;
@@ -66,11 +67,9 @@ impl Coplanar {
             let own = pair.map(|piece| &pieces.all[piece as usize]);
             let [Some(one), Some(other)] = own.map(Piece::triangle) else { return Ok(()) };
             let [Some(first), Some(second)] = own.map(Piece::facet) else { return Ok(()) };
-            let Some(axis) = axis_of_plane(points, [one, other]) else { return Ok(()) };
-            let meeting = meet(&images.0[axis], &one, &other);
-            match meeting.is_some_and(|meeting| meeting.is_area()) {
-                true => found.pairs.try_push(([first, second], axis as u8)),
-                false => Ok(()),
+            match axis_of_common_area(points, &images, [one, other]) {
+                Some(axis) => found.pairs.try_push(([first, second], axis as u8)),
+                None => Ok(()),
             }
         })?;
         found.pairs.sort_unstable();
@@ -130,10 +129,22 @@ impl Coplanar {
     }
 }
 
-/// Returns the axis along which two triangles are projected that are in one plane but for
-/// roundings: the vertices of the smaller are near the plane of the larger. `None` for others.
-fn axis_of_plane(points: &[[f64; 3]], both: [[u32; 3]; 2]) -> Option<usize> {
+/// Returns the axis along which two triangles are projected that share an area, in one plane but
+/// for roundings: the vertices of the smaller are near the plane of the larger. `None` for others.
+fn axis_of_common_area(
+    points: &[[f64; 3]],
+    images: &Images,
+    both: [[u32; 3]; 2],
+) -> Option<usize> {
     let corners = both.map(|own| own.map(|vertex| &points[vertex as usize]));
+    let units = units_of(corners.into_iter().flatten());
+    let is_off = |[base, others]: [[&[f64; 3]; 3]; 2]| {
+        others.iter().any(|x| is_clearly_off(base, &units, x))
+    };
+    // Most pairs of boxes end here. Which triangle is the smaller takes longer to tell.
+    if is_off(corners) && is_off([corners[1], corners[0]]) {
+        return None;
+    }
     let size = |corners: [&[f64; 3]; 3]| {
         let (normal, exponent) = normalized(normal(corners));
         (exponent, norm(&normal))
@@ -142,8 +153,10 @@ fn axis_of_plane(points: &[[f64; 3]], both: [[u32; 3]; 2]) -> Option<usize> {
         true => [corners[1], corners[0]],
         false => corners,
     };
-    let gauge = Gauge::new(large, units_of(corners.into_iter().flatten()));
-    let is_near = small.iter().all(|x| gauge.measure(x).0 <= 1.0);
-    let projection = Projection::of_triangle(large).filter(|_| is_near)?;
-    Projection::ALL.iter().position(|own| *own == projection)
+    let projection = Projection::of_triangle(large)?;
+    let axis = Projection::ALL.iter().position(|own| *own == projection)?;
+    // Triangles of one plane are many, and few of them share an area.
+    let meeting = meet(&images.0[axis], &both[0], &both[1])?;
+    let gauge = meeting.is_area().then(|| Gauge::new(large, units))?;
+    small.iter().all(|x| gauge.measure(x).0 <= 1.0).then_some(axis)
 }

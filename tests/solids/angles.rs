@@ -112,6 +112,37 @@ fn facets_that_meet_at_a_vertex_have_the_angle_that_they_have_there() {
     assert_none_excused(mesh.result().unwrap());
 }
 
+/// Returns three triangles that meet at a vertex, two of them also in an edge, 1 to 6 degrees from
+/// each other.
+fn fins() -> Solid {
+    let (shared, beside) = ([0.8696, 0.4858, -0.088], [0.8669, 0.49, -0.072]);
+    let tips = [[0.0, 0.999, -0.045], [0.0, 0.9949, -0.1005], [0.0, 1.0, 0.0]];
+    Solid {
+        points: [vec![[0.0; 3], shared, beside], tips.to_vec()].concat(),
+        polygons: vec![vec![0, 3, 1], vec![0, 4, 1], vec![0, 5, 2]],
+        regions: Vec::new(),
+    }
+}
+
+/// Vertices in such facets, on no sphere about the vertex, asked for others ever nearer to it, down
+/// to where doubles end.
+#[test]
+fn fins_are_not_split_down_to_the_vertex_where_they_meet() {
+    for scale in [1.0, 2f64.powi(-300)] {
+        let mut mesh = fins().moved(|x| x.map(|x| scale * x)).mesh();
+        let limit = Options { extent: Extent::Box, max_vertices: 20_000, ..bounded(2.0) };
+        mesh.run(&limit, None).unwrap_or_else(|error| panic!("{error}"));
+        assert_holds(&mesh);
+        let mesh = mesh.result().unwrap();
+        let points = (0..mesh.vertex_count()).map(|vertex| mesh.point(vertex as u32));
+        let lengths =
+            points.map(|x| x.iter().map(|x| (x / scale) * (x / scale)).sum::<f64>().sqrt());
+        let nearest = lengths.filter(|length| *length > 0.0).fold(f64::INFINITY, f64::min);
+        assert!(nearest > 1e-3, "{nearest}");
+        assert!(mesh.vertex_count() < 6000, "{} vertices", mesh.vertex_count());
+    }
+}
+
 /// Returns an octahedron of which all triangles were divided into four so many times, with all
 /// vertices on a sphere.
 fn round_body(times: u32) -> (Vec<Point>, Vec<[u32; 3]>) {

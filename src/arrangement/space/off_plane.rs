@@ -94,8 +94,7 @@ mod tests {
         let [s, t] = [0, 1].map(|_| 64.0 * random.unit());
         let unit = units_of([&a, &b, &c].into_iter());
         let x = from_fn(|k| {
-            a[k] + s * (b[k] - a[k]) + t * (c[k] - a[k])
-                + height * unit[k] * random.unit()
+            a[k] + s * (b[k] - a[k]) + t * (c[k] - a[k]) + height * unit[k] * random.unit()
         });
         ([a, b, c], x)
     }

@@ -17,6 +17,8 @@
 //! - `recover`: subsegments are split until they are edges; `recover_facets`: subfacets, until they
 //!   are faces; `recover_boundary`: both, and what a Steiner point would encroach, as far as the
 //!   `guard` lets it be split.
+//! - `split`: a vertex goes on a line, or into a facet.
+//! - `shield`: ends of lines get balls that no vertex of the boundary goes into.
 //! - `crowding`: vertices of the boundary that are on top of others.
 //! - `yielding_insert`: YIELDINGINSERT of a Steiner point.
 //! - `cage_gap`: a gap between the vertices of a cage is narrowed.
@@ -32,5 +34,7 @@ pub(super) mod recover;
 pub(super) mod recover_boundary;
 pub(super) mod recover_facets;
 pub(super) mod release;
+pub(super) mod shield;
+pub(super) mod split;
 pub(super) mod template;
 pub(super) mod yielding_insert;

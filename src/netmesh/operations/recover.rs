@@ -5,7 +5,7 @@ use crate::delaunay::Cavity;
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, TryGrow};
 use crate::mesh;
-use crate::netmesh::state::hierarchy::{DomainId, ROOT};
+use crate::netmesh::state::hierarchy::DomainId;
 use crate::netmesh::state::segments::chain::{Line, Subsegment};
 use crate::netmesh::state::segments::{At, Crowded, SegmentState, name_of};
 use crate::netmesh::state::{Mesher, State};
@@ -50,41 +50,31 @@ impl<const D: usize> Mesher<'_, '_, D> {
         };
         match need {
             Need::Nothing => Ok(()),
+            Need::Vertex if self.shrink_shield_around(subsegment, cavity)? => Ok(()),
             Need::Vertex if self.split(subsegment, cavity)? => Ok(()),
             need => Ok(self.state.limit_subsegment(subsegment, need == Need::Room)?),
         }
     }
 
-    /// Splits `subsegment`; false where doubles have no room for a vertex on it.
+    /// Splits `subsegment`; false where doubles have no room for a vertex on it, or it is within a
+    /// shield.
     pub(in crate::netmesh) fn split(
         &mut self,
         subsegment: u32,
         cavity: &mut Cavity,
     ) -> Result<bool> {
-        let a = self.state.segments.chains.get(subsegment).ends[0];
         if self.state.segments.chains.is_limited(subsegment) {
             return Ok(false);
         }
-        let own = *self.state.segments.chains.get(subsegment);
-        let (place, x) = self.state.splitting_point(&own)?;
-        let near = self.state.delaunay.complex().incident(a);
-        if self.state.delaunay.vertex_at(near, &x).is_some() {
+        if self.state.in_space().is_some_and(|state| state.shield_around(subsegment).is_some()) {
             return Ok(false);
         }
-        let Some(start) = self.state.delaunay.locate(near, &x) else { return Ok(false) };
-        self.state.delaunay.find_cavity(start, &x, cavity)?;
-        let domain = self.enter_from_segment(&x, cavity)?;
-        let vertex = self.state.add_vertex(x)?;
-        self.state.stats.segment_points += 1;
-        self.state.hierarchy.set_domain(vertex, domain);
-        let second = self.state.segments.chains.len() as u32;
-        self.state.segments.chains.split(subsegment, vertex, place)?;
-        if let Some(state) = self.state.in_space() {
-            state.split_in_sheets(subsegment, second, vertex)?;
+        if self.shield_end_of(subsegment, cavity)? {
+            return Ok(true);
         }
-        self.insert_into_cavity(vertex, cavity)?;
-        self.refuse_crowding(vertex)?;
-        Ok(true)
+        let own = *self.state.segments.chains.get(subsegment);
+        let (place, x) = self.state.splitting_point(&own)?;
+        self.split_line_at(subsegment, place, x, cavity)
     }
 
     /// Releases the cages that a subsegment between two vertices crosses: those of the domains
@@ -103,22 +93,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
             let inner = if radius(first) < radius(second) { first } else { second };
             self.release_cage(inner)?;
         }
-    }
-
-    /// Releases all cages that `x`, which is on a segment, is too close to from either side.
-    /// Returns the innermost domain that then holds it.
-    pub(in crate::netmesh) fn enter_from_segment(
-        &mut self,
-        x: &[f64; D],
-        cavity: &Cavity,
-    ) -> AllocResult<DomainId> {
-        let mut domain = self.enter(x, cavity)?;
-        while let Some(encroached) = self.state.inner_encroached_from(domain, x) {
-            self.release_cage(encroached)?;
-            domain = self.state.hierarchy.find(domain);
-        }
-        debug_assert!(domain == ROOT || self.state.hierarchy.contains(domain, x));
-        Ok(domain)
     }
 }
 

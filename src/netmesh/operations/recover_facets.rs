@@ -88,6 +88,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         if x.iter().any(|x| !x.is_finite()) {
             return Ok(false);
         }
+        if !matches!(guard, Guard::Open) && state.is_kept_by_shield(subfacet, x) {
+            return Ok(false);
+        }
         let near = state.facets.get(subfacet).vertices[0];
         let start = state.delaunay.complex().incident(near);
         if state.delaunay.vertex_at(start, x).is_some() {
@@ -109,28 +112,17 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         let has_searched = !encroached.is_empty() || !matches!(guard, Guard::Open);
         encroached.clear();
-        self.state.facets.near.subsegments = encroached;
+        let Some(state) = self.state.in_space() else { return Ok(false) };
+        state.facets.near.subsegments = encroached;
         if is_any || is_guarded {
             return Ok(is_any);
         }
-        let place: [f64; D] = std::array::from_fn(|axis| x[axis]);
         if has_searched {
             // The splits that failed have changed nothing, but have searched cavities of their own,
             // and the guard for local feature sizes.
-            self.state.delaunay.find_cavity(start, &place, cavity)?;
+            state.delaunay.find_cavity(start, x, cavity)?;
         }
-        let domain = self.enter_from_segment(&place, cavity)?;
-        let vertex = self.state.add_vertex(place)?;
-        self.state.hierarchy.set_domain(vertex, domain);
-        let Some(state) = self.state.in_space() else { return Ok(false) };
-        if !state.put_in_sheet(subfacet, vertex)? {
-            state.removed.try_push(vertex)?;
-            return Ok(false);
-        }
-        self.state.stats.segment_points += 1;
-        self.insert_into_cavity(vertex, cavity)?;
-        self.refuse_crowding(vertex)?;
-        Ok(true)
+        self.split_facet_at(subfacet, x, cavity)
     }
 }
 
@@ -182,6 +174,7 @@ impl State<3> {
     /// Returns what is to be split for a vertex at `x`, which is in a subfacet: a subsegment that
     /// it would encroach, or the subfacet.
     fn split_to_insert(&mut self, subfacet: u32, x: [f64; 3]) -> AllocResult<Split> {
+        let (subfacet, x) = self.off_shields(subfacet, x);
         let encroached = self.encroached_in_sheet(subfacet, &x)?;
         Ok(encroached.map_or(Split::Subfacet(subfacet, x), Split::Subsegment))
     }

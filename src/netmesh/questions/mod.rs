@@ -13,6 +13,7 @@
 //! - `subfacets`: whether subfacets are in the mesh, and ways through sheets.
 //! - `feature_size`: the distance from an end of lines to what does not go through it.
 //! - `regions`: the region of a simplex.
+//! - `shields`: the balls about ends of lines that nothing is split in.
 //! - `small_angles`: the simplices that small angles in space force.
 //! - `exempt`: the simplices that refinement leaves alone.
 //! - `permission`: the operations that the interface of a partition allows.
@@ -29,6 +30,7 @@ pub(super) mod outer_boundary;
 pub(super) mod permission;
 pub(super) mod quality;
 pub(super) mod regions;
+pub(super) mod shields;
 pub(super) mod small_angles;
 pub(super) mod steiner_point;
 pub(super) mod subfacets;

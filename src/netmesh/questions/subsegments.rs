@@ -88,7 +88,7 @@ impl<const D: usize> State<D> {
     }
 
     /// Returns the vertex at `place` of a line.
-    fn point_at(&self, line: u32, place: Fraction) -> [f64; D] {
+    pub(in crate::netmesh) fn point_at(&self, line: u32, place: Fraction) -> [f64; D] {
         let Line { ends, .. } = self.segments.chains.lines[line as usize];
         let [from, to] = match place.end {
             0 => ends,

@@ -131,11 +131,7 @@ impl Coplanar {
 
 /// Returns the axis along which two triangles are projected that share an area, in one plane but
 /// for roundings: the vertices of the smaller are near the plane of the larger. `None` for others.
-fn axis_of_common_area(
-    points: &[[f64; 3]],
-    images: &Images,
-    both: [[u32; 3]; 2],
-) -> Option<usize> {
+fn axis_of_common_area(points: &[[f64; 3]], images: &Images, both: [[u32; 3]; 2]) -> Option<usize> {
     let corners = both.map(|own| own.map(|vertex| &points[vertex as usize]));
     let units = units_of(corners.into_iter().flatten());
     let is_off = |[base, others]: [[&[f64; 3]; 3]; 2]| {

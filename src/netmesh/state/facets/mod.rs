@@ -11,6 +11,7 @@ pub(in crate::netmesh) mod floors;
 pub(in crate::netmesh) mod meetings;
 pub(in crate::netmesh) mod plane;
 pub(in crate::netmesh) mod sheet;
+pub(in crate::netmesh) mod shields;
 
 use crate::complex::{SimplexId, VertexId};
 use crate::error::Result;
@@ -23,6 +24,7 @@ use crate::netmesh::state::facets::faces::Faces;
 use crate::netmesh::state::facets::floors::Floors;
 use crate::netmesh::state::facets::meetings::Meetings;
 use crate::netmesh::state::facets::plane::Plane;
+use crate::netmesh::state::facets::shields::Shields;
 use crate::netmesh::state::segments::chain::Chains;
 use crate::netmesh::state::watch::Watch;
 use std::collections::BinaryHeap;
@@ -57,6 +59,7 @@ pub(in crate::netmesh) struct Facets {
     /// Simplex -> true if it stays although it is beyond the bound; those beyond do not.
     kept: Array<bool>,
     pub floors: Floors,
+    pub shields: Shields,
     /// Vertex -> the local feature size there, NaN where it is not known.
     feature_sizes: Array<f64>,
     /// Subsegments and subfacets near a point.

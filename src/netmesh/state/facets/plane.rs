@@ -20,7 +20,7 @@ pub(in crate::netmesh) struct Plane {
 }
 
 /// Returns the power of two that is no larger than `x`, but in a range whose inverses are normal.
-pub(super) fn power_below(x: f64) -> f64 {
+pub(in crate::netmesh) fn power_below(x: f64) -> f64 {
     const RANGE: std::ops::RangeInclusive<u64> = 4..=2042;
     let exponent = (x.to_bits() >> 52 & 0x7ff).clamp(*RANGE.start(), *RANGE.end());
     f64::from_bits(exponent << 52)

@@ -223,6 +223,18 @@ impl Chains {
         self.line_through(vertex).into_iter().chain(own.iter().map(|at_end| at_end.line))
     }
 
+    /// Returns the subsegment of a line at one of its ends. Takes time linear in the subsegments of
+    /// the line.
+    pub fn subsegment_at_end(&self, line: u32, end: VertexId) -> u32 {
+        let mut subsegment = line;
+        if self.lines[line as usize].ends[0] != end {
+            while let Some([_, next]) = self.subsegments_at(self.get(subsegment).ends[1]) {
+                subsegment = next;
+            }
+        }
+        subsegment
+    }
+
     /// Returns the first of the lines that `vertex` is on, be it an end of them or not.
     pub fn line_at(&self, vertex: VertexId) -> Option<u32> {
         self.lines_at(vertex).min()

@@ -121,7 +121,7 @@ impl State<3> {
         let foot = || self.facets.foot(target.facet, x);
         let (place, beside) = match self.meeting_with(vertex, target.facet) {
             Some(Meeting::Line(line)) => (self.turned(x, line, target.facet), BESIDE_COPY),
-            Some(Meeting::Vertex(_)) => (foot(), BESIDE_FOOT),
+            Some(Meeting::Vertex(_)) => (foot(), target.beside_foot),
             None => (foot(), target.beside_foot),
         };
         let gap = distance(x, &place);

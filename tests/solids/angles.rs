@@ -143,6 +143,27 @@ fn fins_are_not_split_down_to_the_vertex_where_they_meet() {
     }
 }
 
+/// Two such facets meet where a side of the box is near: a ball about the vertex that reached
+/// beyond the side had arcs of facets split without an end.
+#[test]
+fn fins_beside_a_side_are_not_split_without_an_end() {
+    let solid = Solid {
+        points: vec![
+            [0.0; 3],
+            [1.125801098714316, -0.14427798042896908, -0.02912471254119858],
+            [0.33224420451011594, 1.2481881222285993, -0.0371705340317025],
+            [0.6503088160931044, 0.0710306158182703, 0.0020098168682896366],
+            [0.2533925868289063, 1.2697945288829975, -0.019907295989656428],
+        ],
+        polygons: vec![vec![0, 1, 2], vec![0, 3, 4]],
+        regions: Vec::new(),
+    };
+    let mut mesh = solid.mesh();
+    let limit = Options { extent: Extent::Box, max_vertices: 5000, ..bounded(2.0) };
+    mesh.run(&limit, None).unwrap_or_else(|error| panic!("{error}"));
+    assert_holds(&mesh);
+}
+
 /// Returns an octahedron of which all triangles were divided into four so many times, with all
 /// vertices on a sphere.
 fn round_body(times: u32) -> (Vec<Point>, Vec<[u32; 3]>) {

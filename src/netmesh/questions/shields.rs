@@ -12,6 +12,7 @@ use crate::mesh::NONE;
 use crate::netmesh::questions::exempt::unit_of;
 use crate::netmesh::questions::subfacets::OnSheet;
 use crate::netmesh::state::State;
+use crate::netmesh::state::facets::features::{Features, Part};
 use crate::netmesh::state::facets::plane::power_below;
 use crate::netmesh::state::facets::shields::Shield;
 use crate::netmesh::state::segments::chain::Fraction;
@@ -79,22 +80,55 @@ impl State<3> {
         }
     }
 
-    /// Returns a shield about an end of lines that no vertex is in or near; `None` where doubles
-    /// are too coarse for it.
+    /// Returns a shield about an end of lines that no vertex is in or near, and nothing of the
+    /// input but what the end is on; `None` where doubles are too coarse for it.
     pub(in crate::netmesh) fn shield_for(
         &mut self,
         center: VertexId,
     ) -> AllocResult<Option<Shield>> {
+        let to_features = self.distance_to_features(center)?;
         let mut star = std::mem::take(&mut self.facets.star);
         self.delaunay.star(center, &mut star)?;
         let x = self.delaunay.point(center);
         let vertices = star.iter().flat_map(|&simplex| self.delaunay.complex().vertices(simplex));
         let others = vertices.filter(|&&vertex| vertex.is_valid() && vertex != center);
         let ways = others.map(|&vertex| distance(x, self.delaunay.point(vertex)));
-        let radius = power_below(0.5 * ways.fold(f64::INFINITY, f64::min));
+        let radius = power_below(0.5 * ways.fold(to_features, f64::min));
         let has_room = radius >= SMALLEST * unit_of(x);
         self.facets.star = star;
         Ok(has_room.then_some(Shield { center, radius }))
+    }
+
+    /// Returns the distance from an end of lines to the nearest facet or line that it is not on.
+    fn distance_to_features(&mut self, end: VertexId) -> AllocResult<f64> {
+        if self.facets.features.is_none() {
+            self.facets.features = Some(Features::new(self.parts_of_input()?)?);
+        }
+        let (chains, facets) = (&self.segments.chains, &self.facets);
+        let is_own = |part: &Part| match part {
+            Part::Triangle { facet, .. } => facets.facets_at(end).contains(facet),
+            Part::Line { line, .. } => chains.lines[*line as usize].ends.contains(&end),
+        };
+        let x = self.delaunay.point(end);
+        let features = facets.features.as_ref();
+        Ok(features.map_or(f64::INFINITY, |features| features.distance_to(x, is_own)))
+    }
+
+    /// Returns the triangles of all facets, as they are now, and the lines without facets.
+    fn parts_of_input(&self) -> AllocResult<Vec<Part>> {
+        let mut parts = Vec::new();
+        for subfacet in 0..self.facets.len() as u32 {
+            let own = self.facets.get(subfacet);
+            let corners = self.points_of(own.vertices).map(|x| *x);
+            parts.try_push(Part::Triangle { facet: own.facet, corners })?;
+        }
+        for (number, line) in (0..).zip(&self.segments.chains.lines) {
+            if self.facets.page_of(number).is_none() {
+                let ends = line.ends.map(|end| *self.delaunay.point(end));
+                parts.try_push(Part::Line { line: number, ends })?;
+            }
+        }
+        Ok(parts)
     }
 
     /// Returns the centre of the shield that a subsegment is in, if there is one.

@@ -7,6 +7,7 @@
 
 pub(in crate::netmesh) mod bent;
 pub(in crate::netmesh) mod faces;
+pub(in crate::netmesh) mod features;
 pub(in crate::netmesh) mod floors;
 pub(in crate::netmesh) mod meetings;
 pub(in crate::netmesh) mod plane;
@@ -21,6 +22,7 @@ use crate::memory::{
 use crate::mesh::NONE;
 use crate::netmesh::state::facets::bent::Bent;
 use crate::netmesh::state::facets::faces::Faces;
+use crate::netmesh::state::facets::features::Features;
 use crate::netmesh::state::facets::floors::Floors;
 use crate::netmesh::state::facets::meetings::Meetings;
 use crate::netmesh::state::facets::plane::Plane;
@@ -60,6 +62,8 @@ pub(in crate::netmesh) struct Facets {
     kept: Array<bool>,
     pub floors: Floors,
     pub shields: Shields,
+    /// Made once shields need it.
+    pub features: Option<Features>,
     /// Vertex -> the local feature size there, NaN where it is not known.
     feature_sizes: Array<f64>,
     /// Subsegments and subfacets near a point.

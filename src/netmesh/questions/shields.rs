@@ -19,8 +19,8 @@ use crate::netmesh::state::segments::chain::Fraction;
 use crate::numerics::{cross, distance, dot, norm};
 
 /// Length of a subsegment at an end of its line, relative to the line, below which the end gets a
-/// shield, if facets meet there and at no line at an angle of some degrees. Later ones are for
-/// nothing small: three facets have 2,400 vertices with 1/8, and 4,000 with 1/256.
+/// shield, if facets meet there and at no line at an angle of some degrees. The later it comes, the
+/// more vertices there are: three facets had 2,400 with 1/8, and 4,000 with 1/256.
 const DEEP_AT_TINY: f64 = 1.0 / 16.0;
 
 /// Such length at other ends, where a feature beside them may be as small. With 1/4096 surfaces

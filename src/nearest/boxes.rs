@@ -3,6 +3,7 @@
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected, filled};
 use crate::nearest::tree::Tree;
+use crate::numerics::norm;
 use std::borrow::Cow;
 
 /// Smallest box that contains something: its least and its largest coordinates.
@@ -167,6 +168,11 @@ pub(crate) fn bounds_of<'a>(points: impl Iterator<Item = &'a [f64; 3]>) -> Bound
     points.fold(NOTHING, |[low, high], x| {
         [std::array::from_fn(|k| low[k].min(x[k])), std::array::from_fn(|k| high[k].max(x[k]))]
     })
+}
+
+/// Returns the distance of a point from a box, 0 inside.
+pub(crate) fn distance_to_box(x: &[f64; 3], [low, high]: &Bounds) -> f64 {
+    norm(&[0, 1, 2].map(|k| (low[k] - x[k]).max(x[k] - high[k]).max(0.0)))
 }
 
 fn union<'a>(boxes: impl IntoIterator<Item = &'a Bounds>) -> Bounds {

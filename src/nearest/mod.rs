@@ -7,7 +7,7 @@ mod representatives;
 mod search;
 mod tree;
 
-pub(crate) use boxes::{Bounds, BoxTree, bounds_of};
+pub(crate) use boxes::{Bounds, BoxTree, bounds_of, distance_to_box};
 pub use merging::merge_points;
 pub use representatives::representatives;
 pub use search::Stop;

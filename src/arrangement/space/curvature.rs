@@ -9,7 +9,7 @@ use crate::arrangement::poll::Poll;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected, with_capacity};
 use crate::mesh::{Arrangement, FacetTriangle, Inputs};
-use crate::nearest::{Bounds, BoxTree, bounds_of};
+use crate::nearest::{Bounds, BoxTree, bounds_of, distance_to_box};
 use crate::numerics::{coordinates, distance, distance_to_edge, distance_to_line, norm};
 
 /// Largest angle in degrees by which facets of a round surface bend: those of an octagon bend by
@@ -92,10 +92,6 @@ fn size_for(radius: f64, error: f64) -> f64 {
 /// Returns the area of a parallelogram, 0 or infinite where doubles have none for it.
 fn area([a, b, c]: [&[f64; 3]; 3]) -> f64 {
     distance(a, b) * distance_to_line(c, [a, b])
-}
-
-fn distance_to_box(x: &[f64; 3], [low, high]: &Bounds) -> f64 {
-    norm(&[0, 1, 2].map(|k| (low[k] - x[k]).max(x[k] - high[k]).max(0.0)))
 }
 
 /// Facets of an arrangement, as the sorted triangles that they consist of.

@@ -66,7 +66,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         if self.state.segments.chains.is_limited(subsegment) {
             return Ok(false);
         }
-        if self.state.in_space().is_some_and(|state| state.shield_around(subsegment).is_some()) {
+        if self.state.as_space().is_some_and(|state| state.shield_around(subsegment).is_some()) {
             return Ok(false);
         }
         if self.shield_end_of(subsegment, cavity)? {

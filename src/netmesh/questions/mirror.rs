@@ -26,7 +26,7 @@ const BESIDE_COPY: f64 = 0.3;
 const BESIDE_FOOT: f64 = 0.03;
 
 /// Radius of a subfacet, relative to that of the smallest of its facet before any was split, below
-/// which feet count as copies do where the facets share nothing: such split each other there.
+/// which feet count as copies do: facets without a common line split each other there.
 const DEEP: f64 = 0.0625;
 
 /// Subfacet that is to be split, with its circle.
@@ -36,8 +36,7 @@ struct Target {
     vertices: [VertexId; 3],
     center: [f64; 3],
     radius: f64,
-    /// Largest distance of a vertex from its foot, relative to that from the nearest vertex, where
-    /// the facets share nothing.
+    /// Largest distance of a vertex from its foot, relative to that from the nearest vertex.
     beside_foot: f64,
 }
 
@@ -118,11 +117,11 @@ impl State<3> {
     /// Returns the image of a vertex in the sheet of `target`, if the vertex is near to it.
     fn image_of(&self, vertex: VertexId, target: &Target) -> Option<Image> {
         let x = self.delaunay.point(vertex);
-        let foot = || self.facets.foot(target.facet, x);
         let (place, beside) = match self.meeting_with(vertex, target.facet) {
             Some(Meeting::Line(line)) => (self.turned(x, line, target.facet), BESIDE_COPY),
-            Some(Meeting::Vertex(_)) => (foot(), target.beside_foot),
-            None => (foot(), target.beside_foot),
+            Some(Meeting::Vertex(_)) | None => {
+                (self.facets.foot(target.facet, x), target.beside_foot)
+            }
         };
         let gap = distance(x, &place);
         let nearest = |vertices: [VertexId; 3]| {

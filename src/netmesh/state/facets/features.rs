@@ -2,8 +2,8 @@
 //! nearest of them that does not go through a vertex. It does not matter how far they are split.
 
 use crate::memory::{AllocResult, collected};
-use crate::nearest::{Bounds, BoxTree, bounds_of};
-use crate::numerics::{distance_to_edge, distance_to_triangle, norm};
+use crate::nearest::{Bounds, BoxTree, bounds_of, distance_to_box};
+use crate::numerics::{distance_to_edge, distance_to_triangle};
 
 /// Parts of the input in space.
 pub(in crate::netmesh) struct Features {
@@ -44,14 +44,10 @@ impl Features {
     /// Returns the distance from `x` to the nearest part that is none of its own, infinite without
     /// any. Expected O(log n).
     pub fn distance_to(&self, x: &[f64; 3], is_own: impl Fn(&Part) -> bool) -> f64 {
-        let bound = |[low, high]: &Bounds| {
-            let way: [f64; 3] = std::array::from_fn(|k| (low[k] - x[k]).max(x[k] - high[k]));
-            norm(&way.map(|k| k.max(0.0)))
-        };
         let value = |part: u32| {
             let part = &self.parts[part as usize];
             if is_own(part) { f64::INFINITY } else { part.distance_to(x) }
         };
-        self.boxes.least(&bound, &value)
+        self.boxes.least(&|bounds| distance_to_box(x, bounds), &value)
     }
 }

@@ -3,6 +3,7 @@
 use super::crossings::{surface, turned};
 use super::{Point, assert_holds, bounded};
 use crate::random::Random;
+use netmesh::Extent;
 use netmesh::options::Options;
 
 /// Appends a strip of squares that bends by some degrees at every edge, at `distance` from another
@@ -71,4 +72,35 @@ fn a_bent_facet_goes_through_inputs_beside_it() {
         mesh.run(&options, None).unwrap_or_else(|error| panic!("{height}: {}", error.message()));
         assert_holds(&mesh);
     }
+}
+
+/// Holds that arcs about a vertex are on its sphere where facets are bent. Three fans lie on each
+/// other there, 0.02 to 0.2 degrees apart; arcs beside the sphere were divided without an end.
+#[test]
+fn fans_that_are_bent_have_their_arcs_on_a_sphere() {
+    let points = [
+        [0.0; 3],
+        [0.9997, -0.0148, -0.0214],
+        [0.9823, 0.1065, 0.154],
+        [0.8257, 0.3208, 0.4641],
+        [0.5183, 0.4863, 0.7035],
+        [0.0, 0.5688, 0.8225],
+        [0.958, 0.1622, 0.2364],
+        [0.8794, 0.2693, 0.3926],
+        [0.7624, 0.3661, 0.5336],
+        [0.6087, 0.4489, 0.6542],
+        [0.4171, 0.5142, 0.7495],
+        [0.1731, 0.5572, 0.8121],
+        [0.3375, -0.5327, -0.7761],
+    ];
+    let fans: [&[u32]; 3] = [&[1, 2, 3, 4, 5], &[1, 6, 7, 8, 9, 10, 11], &[12, 11]];
+    let sides = fans.iter().flat_map(|fan| fan.windows(2));
+    let triangles: Vec<[u32; 3]> = sides.map(|side| [0, side[0], side[1]]).collect();
+    let mut mesh = surface(&points, &triangles);
+    let limit =
+        Options { coplanar: 0.2, max_vertices: 20_000, extent: Extent::Box, ..bounded(2.0) };
+    mesh.run(&limit, None).unwrap_or_else(|error| panic!("{}", error.message()));
+    assert_holds(&mesh);
+    let vertices = mesh.result().unwrap().vertex_count();
+    assert!(vertices < 2500, "{vertices} vertices");
 }

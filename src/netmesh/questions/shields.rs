@@ -217,7 +217,18 @@ impl State<3> {
         let (o, (sine, cosine)) = (self.delaunay.point(shield.center), angle.sin_cos());
         let [u, v] = sector.axes;
         let x = std::array::from_fn(|k| o[k] + shield.radius * (cosine * u[k] + sine * v[k]));
-        self.facets.point_at(sector.facet, &x)
+        // Put on a facet that is bent, it leaves the sphere.
+        let x = self.facets.point_at(sector.facet, &x);
+        self.point_at_radius(sector.facet, shield, &x, shield.radius)
+    }
+
+    /// Returns the point of a facet at a distance from the centre of a shield, on the way to a
+    /// point of it.
+    fn point_at_radius(&self, facet: u32, shield: Shield, to: &[f64; 3], radius: f64) -> [f64; 3] {
+        let o = self.delaunay.point(shield.center);
+        let way: [f64; 3] = std::array::from_fn(|k| (to[k] - o[k]) / shield.radius);
+        let stretch = radius / norm(&way);
+        self.facets.point_at(facet, &std::array::from_fn(|k| o[k] + stretch * way[k]))
     }
 
     /// Returns the place for a vertex that is to go into a subfacet's facet at `x`, and a subfacet
@@ -242,11 +253,8 @@ impl State<3> {
     ) -> Option<(u32, [f64; 3])> {
         let facet = self.facets.get(subfacet).facet;
         let o = self.delaunay.point(shield.center);
-        let at_radius = |to: &[f64; 3], radius: f64| {
-            let way: [f64; 3] = std::array::from_fn(|k| (to[k] - o[k]) / shield.radius);
-            let stretch = radius / norm(&way);
-            self.facets.point_at(facet, &std::array::from_fn(|k| o[k] + stretch * way[k]))
-        };
+        let at_radius =
+            |to: &[f64; 3], radius: f64| self.point_at_radius(facet, shield, to, radius);
         let sector = self.subfacet_at(subfacet, &at_radius(x, 0.5 * shield.radius))?;
         if distance(o, x) >= shield.radius && !self.is_in_circle(sector, x) {
             return None;

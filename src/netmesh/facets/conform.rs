@@ -37,8 +37,22 @@ impl Mesher<'_, '_, 3> {
         self.recover_boundary(cavity)?;
         self.cage_components(cavity)?;
         self.recover_boundary(cavity)?;
+        self.refuse_lost_subfacets()?;
         self.find_regions()?;
         self.judge_regions(&arrangement.regions)
+    }
+
+    /// Refuses subfacets that doubles keep out of the mesh: regions would be one through such a
+    /// hole.
+    fn refuse_lost_subfacets(&mut self) -> Result<()> {
+        for subfacet in 0..self.state.facets.len() as u32 {
+            self.watch.poll_after(1)?;
+            let vertices = self.state.facets.get(subfacet).vertices;
+            if self.state.facets.is_limited(subfacet) && !self.state.has_face(&vertices)? {
+                return Err(self.state.error_of_lost(subfacet));
+            }
+        }
+        Ok(())
     }
 
     /// Returns the facets of the arrangement.

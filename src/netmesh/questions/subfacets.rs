@@ -3,12 +3,14 @@
 //! triangle, its vertices are on the plane of the facet.
 
 use crate::complex::{SimplexId, VertexId};
+use crate::error::{Error, ErrorKind, message};
 use crate::memory::AllocResult;
 use crate::mesh::NONE;
 use crate::netmesh::state::State;
 use crate::netmesh::state::facets::Subfacet;
 use crate::netmesh::state::facets::faces::FACES;
 use crate::netmesh::state::facets::plane::Plane;
+use crate::netmesh::state::segments::At;
 use crate::numerics::{Sign, cross, distance, dot};
 
 /// Point of a sheet.
@@ -84,6 +86,17 @@ impl State<3> {
 
     pub(in crate::netmesh) fn points_of(&self, vertices: [VertexId; 3]) -> [&[f64; 3]; 3] {
         vertices.map(|vertex| self.delaunay.point(vertex))
+    }
+
+    /// Returns the error of a subfacet that doubles keep out of the mesh.
+    pub(in crate::netmesh) fn error_of_lost(&self, subfacet: u32) -> Error {
+        let corner = self.facets.get(subfacet).vertices[0];
+        let message = message!(
+            "doubles have no room for a triangle of facets near {}, which other vertices are \
+             within roundings of",
+            At(self.delaunay.point(corner))
+        );
+        Error::new(ErrorKind::Limit, message)
     }
 
     /// Returns the centre of a subfacet's circle, and its radius.

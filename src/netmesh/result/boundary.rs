@@ -114,14 +114,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
             simplices[subfacet as usize] == [NONE; 2]
                 || !facets.plane_of(subfacet).turn(corners).is_positive()
         };
-        if let Some(lost) = (0..count as u32).find(is_lost) {
-            let corner = facets.get(lost).vertices[0];
-            let message = message!(
-                "doubles have no room for a triangle of facets near {}, which other vertices are \
-                 within roundings of",
-                At(point(corner))
-            );
-            return Err(Error::new(ErrorKind::Limit, message));
+        let lost = (0..count as u32).find(is_lost);
+        if let Some((state, lost)) = self.state.as_space().zip(lost) {
+            return Err(state.error_of_lost(lost));
         }
         for &subfacet in &by_facets.ids {
             self.watch.poll_after(2)?;

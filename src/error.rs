@@ -63,6 +63,16 @@ impl Error {
         Self::new(ErrorKind::DegenerateInput, message)
     }
 
+    /// Returns the error of a hull or box that doubles are too coarse for.
+    pub(crate) fn without_room(extent: Extent) -> Self {
+        let message = say!(
+            "doubles have no room for the boundary of ",
+            Choice::Extent(extent),
+            ", on which inputs are too near"
+        );
+        Self::new(ErrorKind::Limit, message)
+    }
+
     /// Marks a failure as caused by the content of an input: it could be read in its format, but it
     /// cannot be meshed.
     pub fn of_content(self) -> Self {

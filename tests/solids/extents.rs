@@ -221,7 +221,10 @@ fn points_within_roundings_of_a_corner_stay_inside() {
     // There is no room beside a point in a side.
     points.push([1.75 - ulp, 1.75 - ulp, 1.75]);
     for extent in BOTH {
-        assert_eq!(refusal(&points, &within(extent, f64::INFINITY)).0, ErrorKind::Limit);
+        let (kind, message) = refusal(&points, &within(extent, f64::INFINITY));
+        assert_eq!(kind, ErrorKind::Limit);
+        let boundary = format!("the boundary of options.extent = Extent::{extent:?}");
+        assert!(message.contains(&boundary), "{message}");
     }
 }
 

@@ -90,7 +90,10 @@ impl State<3> {
 
     /// Returns the error of a subfacet that doubles keep out of the mesh.
     pub(in crate::netmesh) fn error_of_lost(&self, subfacet: u32) -> Error {
-        let corner = self.facets.get(subfacet).vertices[0];
+        let Subfacet { facet, vertices: [corner, ..], .. } = *self.facets.get(subfacet);
+        if self.facets.facets[facet as usize].parent == NONE {
+            return Error::without_room(self.parameters.extent);
+        }
         let message = message!(
             "doubles have no room for a triangle of facets near {}, which other vertices are \
              within roundings of",

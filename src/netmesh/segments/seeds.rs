@@ -130,9 +130,7 @@ impl<const D: usize> State<D> {
             if D == 2 {
                 return Err(Error::without_area(extent));
             }
-            let what = "doubles have no room for the boundary of ";
-            let message = say!("{what}", Choice::Extent(extent), ", on which inputs are too near");
-            return Err(Error::new(ErrorKind::Limit, message));
+            return Err(Error::without_room(extent));
         }
         refuse(say!(
             "{why}, with ",

@@ -5,7 +5,7 @@ use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{Array, TryGrow};
 use crate::netmesh::slivers::candidates::Candidates;
-use crate::netmesh::slivers::queue::{Failed, Queue, Sliver};
+use crate::netmesh::slivers::queue::{Failed, Queue, Sliver, UNTRIED};
 use crate::netmesh::slivers::random::Random;
 use crate::netmesh::slivers::shape::Measure;
 use crate::netmesh::slivers::stars::Stars;
@@ -134,7 +134,11 @@ impl Mesher<'_, '_, 3> {
             }
             let random = &mut Random::of(&sliver, 0);
             let is_moved = self.mend_by_move(&sliver, 1, random, slivers)?.is_some();
-            if !is_moved {
+            if !is_moved && self.state.is_left_alone(sliver.simplex)? {
+                // Points for it wait until all moves have been made: many would come in vain, and
+                // as many would be tried for what they make.
+                slivers.queue.fail(sliver, UNTRIED)?;
+            } else if !is_moved {
                 self.add_candidate(&sliver, slivers)?;
             } else if self.state.is_current(&sliver, &slivers.penalties) {
                 slivers.queue.push(sliver)?;
@@ -168,7 +172,9 @@ impl Mesher<'_, '_, 3> {
             // The least effort would try the same places once more. Those that are not forced see
             // what has changed farther away.
             let is_forced = effort == 0 && self.state.is_left_alone(sliver.simplex)?;
-            if is_forced && !self.state.has_changed_since(time, &sliver, &slivers.stars) {
+            let may_be_mended =
+                time == UNTRIED || self.state.has_changed_since(time, &sliver, &slivers.stars);
+            if is_forced && !may_be_mended {
                 slivers.queue.fail(sliver, time)?;
                 continue;
             }

@@ -31,6 +31,9 @@ impl Ord for Sliver {
     }
 }
 
+/// Time of slivers for which no point was tried yet.
+pub(super) const UNTRIED: u64 = 0;
+
 /// A sliver that nothing has helped yet, and when it was tried last: the number of simplices that
 /// had been made by then.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,6 +4,7 @@ use crate::complex::VertexId;
 use crate::error::Result;
 use crate::memory::TryGrow;
 use crate::netmesh::slivers::log::{Log, Step};
+use crate::netmesh::slivers::queue::UNTRIED;
 use crate::netmesh::slivers::vacancy::Target;
 use crate::netmesh::slivers::work::Slivers;
 use crate::netmesh::state::{Cell, Mesher, State};
@@ -46,7 +47,7 @@ impl Mesher<'_, '_, 3> {
         }
         for sliver in slivers.log.take().unwrap_or_default().fresh {
             if self.state.is_current(&sliver, &slivers.penalties) {
-                slivers.queue.fail(sliver, 0)?;
+                slivers.queue.fail(sliver, UNTRIED)?;
             }
         }
         Ok(())

@@ -172,9 +172,8 @@ impl Mesher<'_, '_, 3> {
             // The least effort would try the same places once more. Those that are not forced see
             // what has changed farther away.
             let is_forced = effort == 0 && self.state.is_left_alone(sliver.simplex)?;
-            let may_be_mended =
-                time == UNTRIED || self.state.has_changed_since(time, &sliver, &slivers.stars);
-            if is_forced && !may_be_mended {
+            let is_tried = is_forced && time != UNTRIED;
+            if is_tried && !self.state.has_changed_since(time, &sliver, &slivers.stars) {
                 slivers.queue.fail(sliver, time)?;
                 continue;
             }

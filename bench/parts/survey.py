@@ -3,9 +3,9 @@
     survey.py NETMESH FOLDER... [--peer PYTHON] [--seconds S] [--merge RATIO] [--jobs N] > table.md
 
 NETMESH is the program: with its defaults for parts, and once more with `--min-dihedral 0`, which is
-what TetGen's `-pq2` asks for. PYTHON has numpy, trimesh and PyPI's tetgen, for peer.py. A surface that
+what TetGen's `-pq2` asks for. PYTHON has numpy, pillow, tetgen and trimesh of PyPI, for peer.py. A surface that
 NETMESH refuses is diagnosed, and tried with `--crossings split`. Seconds are those of a processor.
-N surfaces are meshed at a time.
+N surfaces are meshed at a time. The table is docs/surfaces.md's; below it are sums, and what has no mesh.
 """
 import argparse
 import json
@@ -21,16 +21,18 @@ from pathlib import Path
 
 SURFACES = {".stl", ".off", ".obj", ".ply", ".poly", ".smesh"}
 HEAD = (
-    "| surface | points | vertices | below 10 | forced | limited | least angle | seconds | MiB "
-    "| vertices (0) | forced (0) | seconds (0) | TetGen | seconds | MiB | beyond | not Delaunay | least angle |"
+    "| surface | points | vertices | forced | TetGen | beyond | not Delaunay | seconds | TetGen | MiB | TetGen "
+    "| vertices, 10 degrees | below 10 | seconds |"
 )
+# Seconds below which a ratio of times is mostly one of starts.
+SHORT = 0.05
 
 
-def run(command, seconds):
-    """Returns the exit status (None after a time limit), the text, the seconds and MiB at the peak."""
+def run(command, seconds, folder=None):
+    """Runs a command, in a folder if one is given, for the files that it leaves. Returns the exit status (None after a time limit), the text, the seconds and MiB at the peak."""
     with tempfile.TemporaryFile("w+", errors="replace") as text:
         limit = lambda: resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 5))  # noqa: E731
-        child = subprocess.Popen(command, stdout=text, stderr=subprocess.STDOUT, preexec_fn=limit)
+        child = subprocess.Popen(command, stdout=text, stderr=subprocess.STDOUT, preexec_fn=limit, cwd=folder)
         _, status, used = os.wait4(child.pid, 0)
         child.returncode = os.waitstatus_to_exitcode(status)
         text.seek(0)
@@ -59,11 +61,11 @@ def mesh(arguments, path, options, folder):
     return record, ""
 
 
-def by_peer(arguments, path):
+def by_peer(arguments, path, folder):
     if not arguments.peer:
         return None, ""
-    command = [arguments.peer, str(Path(__file__).parent / "peer.py"), str(path)]
-    status, text, _, _ = run(command, arguments.seconds)
+    command = [arguments.peer, str(Path(__file__).parent.resolve() / "peer.py"), str(path.resolve())]
+    status, text, _, _ = run(command, arguments.seconds, folder)
     if status is None:
         return None, "no end"
     if status != 0:
@@ -85,71 +87,76 @@ def diagnosis(arguments, path, folder):
     return f"{'; '.join(told)}; {became}"
 
 
-def row(arguments, path):
-    """Returns the line of a surface, and what was found if it was meshed."""
+def survey(arguments, path):
+    """Returns the records of the three meshes of a surface, and what keeps it from having ours."""
     with tempfile.TemporaryDirectory() as folder:
-        return row_in(arguments, path, Path(folder))
+        folder = Path(folder)
+        parts, why = mesh(arguments, path, [], folder)
+        plain, why_not_plain = mesh(arguments, path, ["--min-dihedral", "0"], folder)
+        if parts is None and plain is None:
+            return path, None, None, None, f"{why[:90]}; {diagnosis(arguments, path, folder)}"
+        peer, _ = by_peer(arguments, path, folder)
+    return path, plain, parts, peer, why or why_not_plain
 
 
-def row_in(arguments, path, folder):
-    name = f"{path.parent.name}/{path.name}"
-    record, why = mesh(arguments, path, [], folder)
-    if record is None:
-        return f"| {name} | {why[:90]}; {diagnosis(arguments, path, folder)} |", None
-    plain, _ = mesh(arguments, path, ["--min-dihedral", "0"], folder)
-    quality = record["quality"]
-    own = [
-        record["counts"]["inputs"],
-        f"{record['counts']['vertices']}{'' if record['is_clean'] else ' **violated**'}",
-        quality["below_min_dihedral"],
-        quality["forced"],
-        quality["precision_limited"],
-        f"{quality['min_angle_degrees']:.3g}",
-        f"{record['seconds']:.2f}",
-        f"{record['mib']:.0f}",
-        plain["counts"]["vertices"] if plain else "",
-        plain["quality"]["forced"] if plain else "",
-        f"{plain['seconds']:.2f}" if plain else "",
+def row(path, plain, parts, peer):
+    """Returns the line of a surface in the table."""
+    inputs = (plain or parts)["counts"]["inputs"]
+    own = plain and {
+        "vertices": f"{plain['counts']['vertices']}{'' if plain['is_clean'] else ' **violated**'}",
+        "forced": plain["quality"]["forced"],
+        "seconds": f"{plain['seconds']:.2f}",
+        "mib": f"{plain['mib']:.0f}",
+    }
+    angled = parts and {
+        "vertices": f"{parts['counts']['vertices']}{'' if parts['is_clean'] else ' **violated**'}",
+        "below": parts["quality"]["below_min_dihedral"],
+        "seconds": f"{parts['seconds']:.2f}",
+    }
+    other = peer and {**peer, "seconds": f"{peer['seconds']:.2f}", "mib": f"{peer['peak_mib']:.0f}"}
+    cells = [
+        *((own, name) for name in ("vertices", "forced")),
+        *((other, name) for name in ("vertices", "beyond_bound", "not_delaunay")),
+        *((of, name) for name in ("seconds", "mib") for of in (own, other)),
+        *((angled, name) for name in ("vertices", "below", "seconds")),
     ]
-    peer, why = by_peer(arguments, path)
-    found = (name, record, plain, peer)
-    if peer is None:
-        return f"| {name} | {' | '.join(map(str, own))} | {why} |", found
-    others = [
-        peer["vertices"],
-        f"{peer['seconds']:.2f}",
-        f"{peer['peak_mib']:.0f}",
-        peer["beyond_bound"],
-        peer["not_delaunay"],
-        f"{peer['min_angle_degrees']:.3g}",
-    ]
-    return f"| {name} | {' | '.join(map(str, own))} | {' | '.join(map(str, others))} |", found
+    return f"| {' | '.join(map(str, [path.name, inputs, *(of[name] if of else '' for of, name in cells)]))} |"
 
 
 def summary(found):
-    both = [(name, record, plain, peer) for name, record, plain, peer in found if plain and peer]
-    clean = sum(record["is_clean"] for _, record, _, _ in found)
-    lines = [f"{len(found)} were meshed, {clean} of these with a clean certificate."]
-    plain = [plain for _, _, plain, _ in found if plain]
+    """Returns sums over the surfaces, and ratios to TetGen's where it ends and takes a while."""
+    meshes = [record for _, plain, parts, _, _ in found for record in (plain, parts) if record]
+    plain = [plain for _, plain, *_ in found if plain]
+    angled = [parts for _, _, parts, *_ in found if parts]
+    lines = [
+        f"{len(found)} surfaces, of {len(meshes)} meshes {sum(m['is_clean'] for m in meshes)} with a clean certificate.",
+        f"Ours with `--min-dihedral 0`: {len(plain)}, {sum(p['counts']['vertices'] for p in plain)} vertices, "
+        f"{sum(p['quality']['forced'] for p in plain)} cells forced; with 10 degrees: {len(angled)}.",
+    ]
+    both = [one for one in found if one[1] and one[3]]
+    if not both:
+        return "\n".join(lines)
+    own, given = (sum(of(one) for one in both) for of in (lambda b: b[1]["counts"]["vertices"], lambda b: b[3]["vertices"]))
     lines.append(
-        f"With `--min-dihedral 0` {len(plain)} have {sum(p['counts']['vertices'] for p in plain)} vertices, and "
-        f"{sum(p['quality']['forced'] for p in plain)} cells that small angles excuse."
+        f"TetGen ends on {len(both)}, with {given} vertices where ours have {own}, "
+        f"{sum(t['beyond_bound'] for *_, t, _ in both)} cells beyond the bound and "
+        f"{sum(t['not_delaunay'] for *_, t, _ in both)} faces that are not Delaunay."
     )
-    if both:
-        ratios = {
-            "vertices (0) over TetGen's": [p["counts"]["vertices"] / t["vertices"] for _, _, p, t in both],
-            "vertices over TetGen's": [r["counts"]["vertices"] / t["vertices"] for _, r, _, t in both],
-            "seconds (0) over TetGen's": [p["seconds"] / max(t["seconds"], 1e-3) for _, _, p, t in both],
-            "seconds over TetGen's": [r["seconds"] / max(t["seconds"], 1e-3) for _, r, _, t in both],
-        }
-        for what, values in ratios.items():
-            worst = both[values.index(max(values))][0]
-            lines.append(f"{what}: median {statistics.median(values):.2f}, worst {max(values):.2f} ({worst}).")
-        beyond = sum(t["beyond_bound"] > 0 for *_, t in both)
-        not_delaunay = sum(t["not_delaunay"] > 0 for *_, t in both)
-        own, given = (sum(of(one) for one in both) for of in (lambda b: b[2]["counts"]["vertices"], lambda b: b[3]["vertices"]))
-        lines.append(f"Where TetGen ends: {own} vertices (0), and {given} of TetGen's.")
-        lines.append(f"Of TetGen's {len(both)}, {beyond} have cells beyond the bound, {not_delaunay} are not Delaunay inside.")
+    long = [one for one in both if one[3]["seconds"] >= SHORT]
+    ratios = {
+        "vertices over TetGen's": [(p["counts"]["vertices"] / t["vertices"], path) for path, p, _, t, _ in both],
+        "the same where TetGen keeps the bound": [
+            (p["counts"]["vertices"] / t["vertices"], path) for path, p, _, t, _ in both if t["beyond_bound"] == 0
+        ],
+        f"seconds over TetGen's of {SHORT} and more": [(p["seconds"] / t["seconds"], path) for path, p, _, t, _ in long],
+        "the same with 10 degrees": [(r["seconds"] / t["seconds"], path) for path, _, r, t, _ in long if r],
+    }
+    for name, values in ratios.items():
+        if values:
+            worst, path = max(values)
+            median = statistics.median(value for value, _ in values)
+            most = sum(value > 1 for value, _ in values)
+            lines.append(f"{name}: median {median:.2f}, above 1 on {most} of {len(values)}, worst {worst:.2f} ({path.name}).")
     return "\n".join(lines)
 
 
@@ -165,14 +172,17 @@ def main():
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     paths = (path for folder in arguments.folders for path in folder.rglob("*"))
     files = sorted(path for path in paths if path.suffix.lower() in SURFACES)
-    print(HEAD + "\n" + "|---" * 18 + "|", flush=True)
-    found = []
+    print(HEAD + "\n" + "|---" * 14 + "|", flush=True)
+    found, refused = [], []
     with ThreadPoolExecutor(arguments.jobs) as pool:
-        for line, one in pool.map(lambda path: row(arguments, path), files):
-            print(line, flush=True)
-            if one is not None:
+        for one in pool.map(lambda path: survey(arguments, path), files):
+            path, plain, parts, peer, why = one
+            if plain or parts:
                 found.append(one)
-    print("\n" + summary(found))
+                print(row(path, plain, parts, peer), flush=True)
+            if not (plain and parts):
+                refused.append(f"- {path.name}: {why}")
+    print("\n" + summary(found) + "\n\nWithout one or both of ours:\n\n" + "\n".join(refused))
 
 
 if __name__ == "__main__":

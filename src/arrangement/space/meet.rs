@@ -277,10 +277,7 @@ fn segments(points: &[[f64; 3]], both: [&[u32]; 2]) -> Option<Meeting> {
 
 /// Returns the corner of a meeting that is in these faces, but for roundings.
 pub(super) fn corner(points: &[[f64; 3]], both: [&[u32]; 2], faces: [Face; 2]) -> [f64; 3] {
-    let vertices = |which: usize| {
-        let own = both[which].iter().enumerate();
-        own.filter(move |(at, _)| faces[which] >> at & 1 == 1).map(|(_, &vertex)| vertex)
-    };
+    let vertices = |which: usize| vertices_of_face(both[which], faces[which]);
     if let Some(which) = faces.iter().position(|face| face.count_ones() == 1) {
         return vertices(which).next().map_or([0.0; 3], |vertex| points[vertex as usize]);
     }
@@ -312,6 +309,12 @@ pub(super) fn corner(points: &[[f64; 3]], both: [&[u32]; 2], faces: [Face; 2]) -
     };
     let distances = Projection::ALL.into_iter().find_map(crossing);
     distances.map_or(*p, |distances| divided(p, q, distances))
+}
+
+/// Returns the vertices of a face of a piece.
+pub(super) fn vertices_of_face(vertices: &[u32], face: Face) -> impl Iterator<Item = u32> + Clone {
+    let own = vertices.iter().enumerate().filter(move |(at, _)| face >> at & 1 == 1);
+    own.map(|(_, &vertex)| vertex)
 }
 
 /// Returns the point that divides the way from a point to another by these distances, each

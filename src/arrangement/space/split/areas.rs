@@ -5,7 +5,8 @@ use super::super::crossed::point_over;
 use super::super::meet::{Face, corner, meet};
 use super::super::pieces::{Piece, Pieces};
 use super::super::projection::Projection;
-use super::corners::{Corner, Corners, edge_of, nearer_to_both};
+use super::corners::{Corner, Corners, edge_of};
+use super::finest::finest;
 use super::owners::Owners;
 use crate::memory::{AllocResult, TryGrow, collected, filled};
 use crate::mesh::NONE;
@@ -73,7 +74,7 @@ impl Corners {
                     let [at, seen] = [points, images].map(|all| edge.map(|end| &all[end as usize]));
                     point_over(at, seen, &image)
                 };
-                nearer_to_both(points, edges, on(edges[0]), || on(edges[1]))
+                finest(points, edges, on(edges[0]), || on(edges[1]))
             };
             let vertex = self.vertex_at(points, owners, vertices, faces, place)?;
             self.areas.corners.try_push(Corner { pair, pieces: both, faces, vertex })?;

@@ -8,6 +8,7 @@ use super::super::plane::units_of;
 use super::areas::Areas;
 use super::candidates::Candidate;
 use super::coplanar::{Coplanar, Edges, wide_bounds};
+use super::finest::{corner_of, finest, on_planes};
 use super::owners::Owners;
 use crate::arrangement::poll::Poll;
 use crate::arrangement::reach::Reach;
@@ -66,6 +67,9 @@ impl Corners {
                 return found.add_area([points, images], pieces, owners, both);
             }
             let vertices = own.map(Piece::vertices);
+            if are_one_triangle(vertices) {
+                return Ok(found.areas.pairs.try_push(both)?);
+            }
             let Some(meeting) = meet(points, vertices[0], vertices[1]) else { return Ok(()) };
             let is_crossing = |faces: &&[Face; 2]| {
                 !is_in_plane(&edges, coplanar, owners, own, **faces)
@@ -142,10 +146,21 @@ impl Corners {
                     }
                     None => {
                         let place = corner(&images, [&ends[0], &ends[1]], faces);
-                        let x = point_of_edge(points, polygon, &images, ends[0], &place);
-                        let ends = ends.map(|ends| ends.map(|end| polygon.vertices[end as usize]));
+                        let on = |which: usize| {
+                            point_of_edge(points, polygon, &images, ends[which], &place)
+                        };
+                        let edges = ends.map(|ends| ends.map(|end| polygon.vertices[end as usize]));
+                        let x = finest(points, edges, on(0), || on(1));
+                        let ends = edges;
                         let units = units(points, ends.iter().flatten().copied());
                         let facets = crossing_facets(owners, *facet, ends);
+                        let triangles = facets.map(|own| own.map(|facet| owners.triangle(facet)));
+                        let x = match triangles {
+                            Some([Some(a), Some(b), Some(c)]) => {
+                                on_planes(points, [a, b, c], x, &units)
+                            }
+                            _ => x,
+                        };
                         let edges = ends.map(|part| owners.straight(part));
                         self.candidate(Candidate { x, units, edges, facets })?
                     }
@@ -182,36 +197,6 @@ fn is_in_plane(
     facet.is_some_and(|facet| coplanar.has_in_plane(edges, edge, facet))
 }
 
-/// Returns the corner of what two pieces share, but for roundings. Where two edges cross it is on
-/// the one that has the finer units, if that is as near to the other as rounding explains.
-fn corner_of(points: &[[f64; 3]], vertices: [&[u32]; 2], faces: [Face; 2]) -> [f64; 3] {
-    let first = corner(points, vertices, faces);
-    if faces.iter().any(|face| face.count_ones() != 2) {
-        return first;
-    }
-    let second = || corner(points, [vertices[1], vertices[0]], [faces[1], faces[0]]);
-    let edges = [0, 1].map(|which: usize| edge_of(vertices[which], faces[which]));
-    nearer_to_both(points, edges, first, second)
-}
-
-/// Returns the first of two places of a crossing of two edges, each computed on one of them, or the
-/// second if that alone is as near to both as rounding explains: it is on the edge that has the
-/// finer units.
-pub(super) fn nearer_to_both(
-    points: &[[f64; 3]],
-    edges: [[u32; 2]; 2],
-    first: [f64; 3],
-    second: impl FnOnce() -> [f64; 3],
-) -> [f64; 3] {
-    let reaches = edges.map(|edge| Reach::of(edge.map(|end| &points[end as usize])));
-    let is_on_both = |x: &[f64; 3]| reaches.iter().all(|reach| reach.may_go_through(x));
-    if is_on_both(&first) {
-        return first;
-    }
-    let second = second();
-    if is_on_both(&second) { second } else { first }
-}
-
 /// Returns the units in the last place of the largest coordinates of vertices; zeros if these are
 /// too close to each other for rounding to explain a gap.
 fn units(points: &[[f64; 3]], vertices: impl Iterator<Item = u32> + Clone) -> [f64; 3] {
@@ -245,6 +230,12 @@ fn crossing_facets(owners: &Owners, facet: u32, parts: [[u32; 2]; 2]) -> Option<
     let mut facets = [facet, other(parts[0])?, other(parts[1])?];
     facets.sort_unstable();
     (facets[0] < facets[1] && facets[1] < facets[2]).then_some(facets)
+}
+
+/// Returns true if two pieces are triangles with the same vertices. Where their facets are not in
+/// one plane such are no wider than roundings, and have no crossing.
+fn are_one_triangle([one, other]: [&[u32]; 2]) -> bool {
+    one.len() == 3 && other.len() == 3 && one.iter().all(|vertex| other.contains(vertex))
 }
 
 /// Returns the ends of an edge of a piece.

@@ -11,8 +11,8 @@
 //! Facets that share an area get each other's edges there, until their triangles are within each
 //! other or apart; then the first facet has the area, with the balances of all.
 //!
-//! - [`corners`] finds the corners of a round, [`candidates`] the vertices that they become, and
-//!   [`places`] where these are; [`areas`] has what facets share that
+//! - [`corners`] finds the corners of a round, [`finest`] their coordinates, [`candidates`] the
+//!   vertices that they become, and [`places`] where these are; [`areas`] has what facets share that
 //!   [`coplanar`] finds in one plane.
 //! - [`needles`] finds triangles that are no wider than roundings: their edges go through their
 //!   corners.
@@ -23,6 +23,7 @@ mod areas;
 mod candidates;
 mod coplanar;
 mod corners;
+mod finest;
 mod needles;
 mod owners;
 mod places;

@@ -17,6 +17,8 @@ pub(super) struct Owners {
     lines: Vec<([u32; 2], u32)>,
     /// Facet -> the units in the last place of its largest coordinates.
     units: Vec<[f64; 3]>,
+    /// Facet -> its corners if it is a triangle, otherwise [`NONE`].
+    triangles: Vec<[u32; 3]>,
 }
 
 impl Owners {
@@ -55,7 +57,15 @@ impl Owners {
             spread_units(own.map(|&input| &points[vertex(input) as usize]))
         };
         let units = collected((0..facets.count()).map(units_of_facet))?;
-        Ok(Self { parts, edges, lines, units })
+        let triangle = |facet: usize| {
+            let mut loops = facets.loops(facet);
+            match (loops.next(), loops.next()) {
+                (Some(&[a, b, c]), None) => [a, b, c].map(vertex),
+                _ => [NONE; 3],
+            }
+        };
+        let triangles = collected((0..facets.count()).map(triangle))?;
+        Ok(Self { parts, edges, lines, units, triangles })
     }
 
     /// Returns the edges of facets and segments.
@@ -66,6 +76,12 @@ impl Owners {
     /// Returns the lines in facets.
     pub fn lines(&self) -> impl Iterator<Item = [u32; 2]> {
         self.lines.chunk_by(|a, b| a.0 == b.0).map(|same| same[0].0)
+    }
+
+    /// Returns the corners of a facet that is a triangle.
+    pub fn triangle(&self, facet: u32) -> Option<[u32; 3]> {
+        let own = self.triangles[facet as usize];
+        (own[0] != NONE).then_some(own)
     }
 
     /// Returns the reach of a line in some facets: its vertices were computed with the coordinates

@@ -341,3 +341,19 @@ fn soups_hold_their_certificate() {
     }
     assert!(made >= 68 && left <= 4, "{made} {left}");
 }
+
+/// Meshes three triangles of a circuit in millimetres, in single precision: the second is a needle
+/// 3e-8 wide, turned over onto the first.
+#[test]
+fn a_needle_turned_over_onto_its_neighbor_is_certified() {
+    let points = [
+        [-2.0, -3.1772758960723877, 2.0],
+        [-1.600000023841858, -3.3071799278259277, 2.0],
+        [-0.6000000238418579, -2.0, 2.0],
+        [0.4000000059604645, -0.6928200125694275, 2.0],
+        [0.6000000238418579, -0.8660249710083008, 2.0],
+    ];
+    let triangles = [[1, 4, 3], [1, 3, 2], [2, 0, 1]];
+    let made = run(&points, &triangles, &split(Extent::Auto, 2.0));
+    assert!(made.boundary.subfacets.len() > 100, "{}", made.boundary.subfacets.len());
+}

@@ -268,8 +268,9 @@ fn parent_beside(
     let boundary = &ways.view.mesh.boundary;
     let along = direction(ways.view.point(a), ways.view.point(b));
     let page = |apex: &[f64; 3]| across(direction(ways.view.point(a), apex), along);
-    let [apex, ..] = from_edge(triangles[triangle as usize], ends);
-    let own = page(ways.input(apex));
+    // Of a needle: the direction of a short subsegment has roundings as wide as that is.
+    let [apex, from, to] = from_edge(triangles[triangle as usize], ends).map(|v| ways.input(v));
+    let own = across(direction(from, apex), direction(from, to));
     let (mut best, mut parent) = (0.0, NONE);
     for subfacet in ways.faces.beside(ways.view, [a, b]) {
         let [apex, from, to] = from_edge(boundary.subfacets[subfacet as usize], [a, b]);

@@ -2,11 +2,12 @@
 //! from them refinement ends as it does in space without small angles.
 
 use super::corner_angles::{Corner, cosine_between};
+use super::fins;
 use crate::complex::VertexId;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected, filled, sorted_in_buckets};
 use crate::netmesh::questions::small_angles::{SMALL, SMALL_DIHEDRAL, TINY, cosine};
-use crate::netmesh::state::facets::meetings::{Meeting, Meetings};
+use crate::netmesh::state::facets::meetings::{Meeting, Meetings, TinyAngles};
 use crate::netmesh::state::watch::Watch;
 use crate::netmesh::state::{Mesher, State};
 use crate::numerics::foot_on_line;
@@ -23,6 +24,18 @@ type Met = Vec<(u32, u32, Meeting)>;
 /// End of a line, and a pair of facets that meet at the line, the lower first.
 type Joined = (u32, u32, u32);
 
+/// Largest cosine of the angle at a line between two facets of a fan: 120 degrees.
+const FLAT: f64 = -0.5;
+
+/// Pairs of facets that meet at lines, sorted.
+struct AtLines {
+    /// Pairs at a small angle.
+    met: Met,
+    /// All pairs, and those that are flat but for 60 degrees.
+    joined: Vec<Joined>,
+    flat: Vec<Joined>,
+}
+
 /// Adds a pair of facets that meet at a place.
 fn add_either_way(met: &mut Met, [f, g]: [u32; 2], at: Meeting) -> AllocResult<()> {
     met.try_push((f, g, at))?;
@@ -34,8 +47,8 @@ impl Mesher<'_, '_, 3> {
     pub(super) fn find_sharp_lines(&mut self) -> Result<()> {
         let Self { state, watch, .. } = self;
         let mut is_sharp = filled(state.segments.chains.lines.len(), false)?;
-        let (mut met, joined) = state.meetings_at_lines(&mut is_sharp, watch)?;
-        let has_tiny_angle = state.add_meetings_at_vertices(&joined, &mut met, watch)?;
+        let AtLines { mut met, joined, flat } = state.meetings_at_lines(&mut is_sharp, watch)?;
+        let tiny_angles = state.add_meetings_at_vertices([&joined, &flat], &mut met, watch)?;
         state.mark_sharp_fans(&mut is_sharp, watch)?;
         let lines = state.segments.chains.lines.iter().zip(&is_sharp);
         let ends = lines.filter(|&(_, &is_sharp)| is_sharp).flat_map(|(line, _)| line.ends);
@@ -43,21 +56,21 @@ impl Mesher<'_, '_, 3> {
         ends.sort_unstable();
         ends.dedup();
         let met = sorted_in_buckets(&met, |pair| pair.0, |work| watch.poll_after(work))?;
-        state.facets.meetings = Meetings::new(state.facets.facets.len(), met, has_tiny_angle)?;
+        state.facets.meetings = Meetings::new(state.facets.facets.len(), met, tiny_angles)?;
         Ok(state.facets.set_sharp(is_sharp, &ends)?)
     }
 }
 
 impl State<3> {
     /// Marks the lines at which facets meet at small angles. Returns the pairs of facets that meet
-    /// there, and those that meet at any line, each behind an end of it; sorted.
+    /// at lines.
     fn meetings_at_lines(
         &self,
         is_sharp: &mut [bool],
         watch: &mut Watch<'_, '_>,
-    ) -> Result<(Met, Vec<Joined>)> {
+    ) -> Result<AtLines> {
         let (mut pages, mut ways) = (Vec::new(), Vec::new());
-        let (mut met, mut joined) = (Vec::new(), Vec::new());
+        let (mut met, mut joined, mut flat) = (Vec::new(), Vec::new(), Vec::new());
         for (line, is_sharp) in (0u32..).zip(is_sharp) {
             pages.clear();
             ways.clear();
@@ -69,10 +82,15 @@ impl State<3> {
             for at in 0..pages.len() {
                 for other in 0..at {
                     let [f, g] = [at, other].map(|at| self.facets.get(pages[at]).facet);
+                    let cosine = cosine(&ways[at], &ways[other]);
                     for end in self.segments.chains.lines[line as usize].ends {
-                        joined.try_push((end.number(), f.min(g), f.max(g)))?;
+                        let own = (end.number(), f.min(g), f.max(g));
+                        joined.try_push(own)?;
+                        if cosine < FLAT {
+                            flat.try_push(own)?;
+                        }
                     }
-                    if cosine(&ways[at], &ways[other]) > SMALL_DIHEDRAL {
+                    if cosine > SMALL_DIHEDRAL {
                         *is_sharp = true;
                         add_either_way(&mut met, [f, g], Meeting::Line(line))?;
                     }
@@ -80,32 +98,37 @@ impl State<3> {
             }
         }
         let joined = sorted_in_buckets(&joined, |pair| pair.0, |work| watch.poll_after(work))?;
-        Ok((met, joined))
+        let flat = sorted_in_buckets(&flat, |pair| pair.0, |work| watch.poll_after(work))?;
+        Ok(AtLines { met, joined, flat })
     }
 
     /// Adds the pairs of facets that meet at a vertex at a small angle, and at no line there.
-    /// `joined` has those that meet at one. Returns for each vertex true if two facets meet there,
-    /// and at no line, at a tiny angle.
+    /// `joined` has those that meet at one, `flat` those of them that may be in a fan. Returns the
+    /// tiny angles at each vertex.
     fn add_meetings_at_vertices(
         &self,
-        joined: &[Joined],
+        [joined, flat]: [&[Joined]; 2],
         met: &mut Met,
         watch: &mut Watch<'_, '_>,
-    ) -> Result<Vec<bool>> {
+    ) -> Result<Vec<TinyAngles>> {
         let count = self.delaunay.point_count();
-        let mut has_tiny_angle = filled(count, false)?;
+        let mut tiny_angles = filled(count, TinyAngles::None)?;
         let subfacets_at = self.facets.subfacets_at_vertices(count)?;
-        let (mut corners, mut rest) = (Vec::new(), joined);
+        let (mut corners, mut tiny, mut rest) = (Vec::new(), Vec::new(), [joined, flat]);
         for vertex in VertexId::below(count) {
             let number = vertex.number();
-            let (joined_here, others) = rest.split_at(rest.partition_point(|own| own.0 <= number));
-            rest = others;
+            let [joined_here, flat_here] = rest.each_mut().map(|rest| {
+                let (here, others) = rest.split_at(rest.partition_point(|own| own.0 <= number));
+                *rest = others;
+                here
+            });
             let subfacets = subfacets_at.of(vertex.index());
             if subfacets.len() > MOST_CORNERS {
                 continue;
             }
             watch.poll_after(4 * (1 + subfacets.len() * subfacets.len()) as u32)?;
             corners.clear();
+            tiny.clear();
             for &subfacet in subfacets {
                 let facet = self.facets.get(subfacet).facet;
                 corners.try_push((facet, self.corner_at(vertex, subfacet)))?;
@@ -118,7 +141,9 @@ impl State<3> {
                 }
                 let pairs = first.iter().flat_map(|(_, a)| second.iter().map(move |(_, b)| (a, b)));
                 let cosine = pairs.map(|(a, b)| cosine_between(a, b)).fold(-1.0, f64::max);
-                has_tiny_angle[vertex] |= cosine > TINY;
+                if cosine > TINY {
+                    tiny.try_push([pair.1, pair.2])?;
+                }
                 match cosine > SMALL - ROUNDING {
                     true => add_either_way(met, [pair.1, pair.2], Meeting::Vertex(vertex)),
                     false => Ok(()),
@@ -128,8 +153,14 @@ impl State<3> {
             while let Some(first) = facets.next() {
                 facets.clone().try_for_each(|second| meet(first, second))?;
             }
+            let flat = flat_here.iter().map(|own| [own.1, own.2]);
+            tiny_angles[vertex] = match (tiny.is_empty(), fins::are_any(flat, &tiny)?) {
+                (true, _) => TinyAngles::None,
+                (false, false) => TinyAngles::InFans,
+                (false, true) => TinyAngles::OfFins,
+            };
         }
-        Ok(has_tiny_angle)
+        Ok(tiny_angles)
     }
 
     /// Marks the lines that make a small angle with another one at a common end.

@@ -13,15 +13,17 @@ use crate::netmesh::questions::exempt::unit_of;
 use crate::netmesh::questions::subfacets::OnSheet;
 use crate::netmesh::state::State;
 use crate::netmesh::state::facets::features::{Features, Part};
+use crate::netmesh::state::facets::meetings::TinyAngles;
 use crate::netmesh::state::facets::plane::power_below;
 use crate::netmesh::state::facets::shields::Shield;
 use crate::netmesh::state::segments::chain::Fraction;
 use crate::numerics::{cross, distance, dot, norm};
 
 /// Length of a subsegment at an end of its line, relative to the line, below which the end gets a
-/// shield, if facets meet there and at no line at an angle of some degrees. The later it comes, the
-/// more vertices there are: three facets had 2,400 with 1/8, and 4,000 with 1/256.
-const DEEP_AT_TINY: f64 = 1.0 / 16.0;
+/// shield, if facets are fins there. The later it comes, the more vertices there are: three facets
+/// had 2,400 with 1/8, and 4,000 with 1/256. Where needles are between facets it may not come so
+/// soon: convex hulls of needles had a quarter more vertices.
+const DEEP_AT_FINS: f64 = 1.0 / 16.0;
 
 /// Such length at other ends, where a feature beside them may be as small. With 1/4096 surfaces
 /// that cross themselves have an eighth more vertices.
@@ -68,9 +70,9 @@ impl State<3> {
         let ends = self.segments.chains.lines[own.line as usize].ends;
         let Some(at) = (0..2).find(|&at| own.ends[at] == ends[at]) else { return Ok(None) };
         let center = ends[at];
-        let deep = match self.facets.meetings.has_tiny_angle(center) {
-            true => DEEP_AT_TINY,
-            false => DEEP,
+        let deep = match self.facets.meetings.tiny_angles_at(center) {
+            TinyAngles::OfFins => DEEP_AT_FINS,
+            TinyAngles::InFans | TinyAngles::None => DEEP,
         };
         let length =
             |[a, b]: [VertexId; 2]| distance(self.delaunay.point(a), self.delaunay.point(b));

@@ -6,7 +6,7 @@
 use crate::complex::{SimplexId, VertexId};
 use crate::netmesh::state::State;
 use crate::netmesh::state::facets::faces::EDGES;
-use crate::netmesh::state::facets::meetings::Meeting;
+use crate::netmesh::state::facets::meetings::{Meeting, TinyAngles};
 use crate::numerics::{distance, norm, shortest_distance};
 
 /// Largest cosine of angles between segments, or a segment and a facet, that are not small.
@@ -126,9 +126,9 @@ impl State<3> {
     /// Returns true if two vertices are seen at a small angle from one where their facets or
     /// segments meet.
     fn see_small_angle(&self, from: VertexId, [u, v]: [VertexId; 2], largest: Largest) -> bool {
-        let most = match self.facets.meetings.has_tiny_angle(from) {
-            true => largest.at_tiny,
-            false => largest.at_vertex,
+        let most = match self.facets.meetings.tiny_angles_at(from) {
+            TinyAngles::None => largest.at_vertex,
+            TinyAngles::InFans | TinyAngles::OfFins => largest.at_tiny,
         };
         self.cosine_at(self.delaunay.point(from), u, v) > most
     }

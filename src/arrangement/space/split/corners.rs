@@ -68,7 +68,8 @@ impl Corners {
             }
             let vertices = own.map(Piece::vertices);
             if are_one_triangle(vertices) {
-                return Ok(found.areas.pairs.try_push(both)?);
+                found.areas.pairs.try_push(both)?;
+                return Ok(());
             }
             let Some(meeting) = meet(points, vertices[0], vertices[1]) else { return Ok(()) };
             let is_crossing = |faces: &&[Face; 2]| {

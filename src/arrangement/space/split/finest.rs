@@ -141,7 +141,7 @@ mod tests {
 
     #[test]
     fn the_point_of_three_planes_is_the_same_from_any_place_near_it() {
-        // z = 0, x - 2^20 = 0.25 + 0.5 y and x - 2^20 = 0.75 - 0.5 y meet at y = 0.5, x - 2^20 = 0.5.
+        // With 2^20 added to x: z = 0, x = 0.25 + 0.5 y and x = 0.75 - 0.5 y.
         let far = |x: f64, y: f64, z: f64| [x + 1048576.0, y, z];
         let points = [
             far(0.0, 0.0, 0.0),

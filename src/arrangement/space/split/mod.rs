@@ -12,8 +12,8 @@
 //! other or apart; then the first facet has the area, with the balances of all.
 //!
 //! - [`corners`] finds the corners of a round, [`finest`] their coordinates, [`candidates`] the
-//!   vertices that they become, and [`places`] where these are; [`areas`] has what facets share that
-//!   [`coplanar`] finds in one plane.
+//!   vertices that they become, and [`places`] where these are; [`areas`] has what facets share
+//!   that [`coplanar`] finds in one plane.
 //! - [`needles`] finds triangles that are no wider than roundings: their edges go through their
 //!   corners.
 //! - [`sound`] tells whether roundings left facets and edges what they were.

@@ -10,9 +10,8 @@ pub(in crate::netmesh) struct Meetings {
     all: Vec<(u32, u32, Meeting)>,
     /// Facet -> the first of its meetings, and one more.
     starts: Vec<usize>,
-    /// First vertices -> true if two facets meet there, and at no line, at an angle of some
-    /// degrees.
-    has_tiny_angle: Vec<bool>,
+    /// First vertices -> the tiny angles there.
+    tiny_angles: Vec<TinyAngles>,
 }
 
 /// Place where two facets meet.
@@ -22,13 +21,23 @@ pub(in crate::netmesh) enum Meeting {
     Vertex(VertexId),
 }
 
+/// Angles of some degrees between facets that meet at a vertex, and at no line there.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(in crate::netmesh) enum TinyAngles {
+    None,
+    /// Facets are between those that have one.
+    InFans,
+    /// Nothing of the surface is between some.
+    OfFins,
+}
+
 impl Meetings {
     /// Takes the places where so many facets meet: every pair either way round, sorted, some of
     /// them several times.
     pub fn new(
         facets: usize,
         mut all: Vec<(u32, u32, Meeting)>,
-        has_tiny_angle: Vec<bool>,
+        tiny_angles: Vec<TinyAngles>,
     ) -> AllocResult<Self> {
         all.dedup();
         let mut starts = filled(facets + 1, 0)?;
@@ -38,7 +47,7 @@ impl Meetings {
             count += before.count();
             *start = count;
         }
-        Ok(Self { all, starts, has_tiny_angle })
+        Ok(Self { all, starts, tiny_angles })
     }
 
     /// Returns the places where a facet meets others.
@@ -51,10 +60,9 @@ impl Meetings {
         }
     }
 
-    /// Returns true if two facets meet at a vertex, and at no line there, at an angle of some
-    /// degrees.
-    pub fn has_tiny_angle(&self, vertex: VertexId) -> bool {
-        self.has_tiny_angle.get(vertex.index()).copied().unwrap_or(false)
+    /// Returns the tiny angles between facets that meet at a vertex, and at no line there.
+    pub fn tiny_angles_at(&self, vertex: VertexId) -> TinyAngles {
+        self.tiny_angles.get(vertex.index()).copied().unwrap_or(TinyAngles::None)
     }
 }
 

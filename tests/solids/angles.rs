@@ -143,6 +143,35 @@ fn fins_are_not_split_down_to_the_vertex_where_they_meet() {
     }
 }
 
+/// Needles from a small ring to a slanted one: at each vertex some are at a tiny angle that have
+/// another between them. Vertices got balls for that, and there were 489 vertices instead of 279.
+#[test]
+fn needles_of_a_fan_are_no_fins() {
+    const COUNT: u32 = 16;
+    let ring = |at: u32, turn: f64| {
+        let angle = std::f64::consts::TAU * (f64::from(at) + turn) / f64::from(COUNT);
+        [angle.cos(), angle.sin()]
+    };
+    let bottom = (0..COUNT).map(|at| ring(at, 0.0)).map(|[c, s]| [0.02 * c, 0.02 * s, 0.0]);
+    let top = (0..COUNT).map(|at| ring(at, 0.5));
+    let top = top.map(|[c, s]| [1.0 + 0.3 * c, 0.3 * s, 3.0 + 0.1 * c]);
+    let sides = (0..COUNT).flat_map(|at| {
+        let next = (at + 1) % COUNT;
+        [vec![at, next, COUNT + at], vec![next, COUNT + next, COUNT + at]]
+    });
+    let ends = [(0..COUNT).rev().collect(), (COUNT..2 * COUNT).collect()];
+    let solid = Solid {
+        points: bottom.chain(top).collect(),
+        polygons: sides.chain(ends).collect(),
+        regions: Vec::new(),
+    };
+    let mut mesh = solid.mesh();
+    mesh.run(&bounded(2.0), None).unwrap();
+    assert_holds(&mesh);
+    let count = mesh.result().unwrap().vertex_count();
+    assert!(count < 340, "{count} vertices");
+}
+
 /// Two such facets meet where a side of the box is near: a ball about the vertex that reached
 /// beyond the side had arcs of facets split without an end.
 #[test]

@@ -29,7 +29,9 @@ SHORT = 0.05
 
 
 def run(command, seconds, folder=None):
-    """Runs a command, in a folder if one is given, for the files that it leaves. Returns the exit status (None after a time limit), the text, the seconds and MiB at the peak."""
+    """Runs a command, in a folder if one is given, for the files that it leaves. Returns the exit
+    status (None after a time limit), the text, the seconds and MiB at the peak.
+    """
     with tempfile.TemporaryFile("w+", errors="replace") as text:
         limit = lambda: resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 5))  # noqa: E731
         child = subprocess.Popen(command, stdout=text, stderr=subprocess.STDOUT, preexec_fn=limit, cwd=folder)

@@ -150,11 +150,10 @@ impl Corners {
                         let on = |which: usize| {
                             point_of_edge(points, polygon, &images, ends[which], &place)
                         };
-                        let edges = ends.map(|ends| ends.map(|end| polygon.vertices[end as usize]));
-                        let x = finest(points, edges, on(0), || on(1));
-                        let ends = edges;
-                        let units = units(points, ends.iter().flatten().copied());
-                        let facets = crossing_facets(owners, *facet, ends);
+                        let parts = ends.map(|ends| ends.map(|end| polygon.vertices[end as usize]));
+                        let x = finest(points, parts, on(0), || on(1));
+                        let units = units(points, parts.iter().flatten().copied());
+                        let facets = crossing_facets(owners, *facet, parts);
                         let triangles = facets.map(|own| own.map(|facet| owners.triangle(facet)));
                         let x = match triangles {
                             Some([Some(a), Some(b), Some(c)]) => {
@@ -162,7 +161,7 @@ impl Corners {
                             }
                             _ => x,
                         };
-                        let edges = ends.map(|part| owners.straight(part));
+                        let edges = parts.map(|part| owners.straight(part));
                         self.candidate(Candidate { x, units, edges, facets })?
                     }
                 };

@@ -70,10 +70,7 @@ fn in_triangle(points: &[[f64; 3]], both: [&[u32]; 2], faces: [Face; 2]) -> [f64
         let base = all.next().unwrap_or(&low);
         Edges::new(base, all).determinant_of_components()
     };
-    let weights = [0, 1, 2].map(volume);
-    let exponents = weights.iter().filter(|(m, _)| *m != 0.0).map(|&(_, exponent)| exponent);
-    let top = exponents.max().unwrap_or(0);
-    let weights = weights.map(|(m, exponent)| scale_by_power(m.abs(), exponent - top));
+    let weights = normalized([0, 1, 2].map(volume)).0.map(f64::abs);
     let sum: f64 = weights.iter().sum();
     from_fn(|k| {
         let x: f64 = corners.clone().zip(weights).map(|(x, weight)| x[k] * (weight / sum)).sum();
@@ -97,11 +94,12 @@ pub(super) fn on_planes(
     let normals = planes.each_ref().map(|plane| plane.normal);
     let heights = planes.each_ref().map(|plane| plane.height(&place));
     let determinant = |rows: [[f64; 3]; 3]| dot(&rows[0], &cross(&rows[1], &rows[2]));
+    let whole = determinant(normals);
     // Cramer's rule.
     let step: [f64; 3] = from_fn(|k| {
         let mut replaced = normals;
         replaced.iter_mut().zip(heights).for_each(|(row, height)| row[k] = -height);
-        determinant(replaced) / determinant(normals)
+        determinant(replaced) / whole
     });
     let most = FARTHEST * units.iter().fold(0.0f64, |most, unit| most.max(*unit));
     match step.iter().all(|step| step.abs() <= most) {

@@ -357,3 +357,54 @@ fn a_needle_turned_over_onto_its_neighbor_is_certified() {
     let made = run(&points, &triangles, &split(Extent::Auto, 2.0));
     assert!(made.boundary.subfacets.len() > 100, "{}", made.boundary.subfacets.len());
 }
+
+/// Meshes a side of a part that is bent by 2e-5 at its end. A needle 3e-6 wide is turned over onto
+/// it, and a triangle stands on the needle, with tiles that are nearer to the plane of the side
+/// than some of the needle's are.
+#[test]
+fn a_triangle_that_stands_on_a_turned_needle_is_certified() {
+    let points = [
+        [9.0, 0.0, 6.0],
+        [10.0, 0.0, 0.0],
+        [17.0, 0.0, 0.0],
+        [-8.0, 0.0, 0.0],
+        [-8.0, 0.0, 0.0],
+        [-12.0, 4.0, 0.0],
+        [9.1, -0.05, 0.0],
+        [-4.0, 4.0, 0.0],
+        [17.0, 4.0, 0.0],
+        [5.0, 0.0, 0.0],
+        [0.0, -3e-6, 0.0],
+        [-11.0, 3.9, 0.0],
+        [-10.0, 3.0, 0.0],
+        [-9.0, 3.0, 0.0],
+        [-8.0, 2.0, 0.0],
+        [-8.0, 1.0, 0.0],
+        [-49.0, 7.9, 0.0],
+        [-49.0, 8.0, 0.0],
+        [-8.0, 8.0, 0.0],
+        [-8.0, 8.0, 0.0],
+        [-75.0, 8.0, -2e-5],
+        [-53.0, 4.0, 0.0],
+    ];
+    let triangles = [
+        [0, 6, 1],
+        [10, 4, 7],
+        [2, 9, 10],
+        [7, 2, 10],
+        [16, 17, 18],
+        [16, 18, 5],
+        [7, 3, 15],
+        [7, 15, 14],
+        [5, 19, 7],
+        [11, 5, 7],
+        [7, 14, 13],
+        [12, 11, 7],
+        [13, 12, 7],
+        [8, 7, 19],
+        [20, 17, 16],
+        [20, 16, 21],
+    ];
+    let options = Options { coplanar: 0.1, ..split(Extent::Auto, f64::INFINITY) };
+    run(&points, &triangles, &options);
+}

@@ -21,7 +21,7 @@ use super::given::Facet;
 use super::tiling::name_of;
 use super::ways::Ways;
 use crate::error::message;
-use crate::quality::length::{Length, exponent_of, scale};
+use crate::quality::length::{exponent_of, scale};
 use crate::validate::report::{Findings, Violation, ViolationKind};
 use std::cmp::Ordering;
 
@@ -94,17 +94,6 @@ impl Slab {
         let mut slab = Self::of(&facet.normal, points);
         slab.widen(&facet.normal, &units.map(|unit| BENT * unit));
         slab
-    }
-
-    /// Returns true if the first of two points is nearer to the lower plane.
-    pub fn is_nearer(&self, normal: &[f64; 3], [x, y]: [&[f64; 3]; 2]) -> bool {
-        let distance = |point: &[f64; 3]| {
-            let mut height = self.low.clone();
-            add_height(&mut height, normal, point, -1.0);
-            let (mantissa, exponent) = height.rounded();
-            Length::scaled(mantissa.abs(), exponent)
-        };
-        distance(x).ratio(distance(y)) < 1.0
     }
 
     fn of<'a>(normal: &[f64; 3], points: impl Iterator<Item = &'a [f64; 3]> + Clone) -> Self {

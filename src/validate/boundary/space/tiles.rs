@@ -6,8 +6,9 @@
 //! Triangles that are folded over each other in one plane are one facet too, which has a subfacet
 //! there as many times as its rim winds about it.
 
+use super::directions::cosine;
 use super::given::Facet;
-use super::plane::Slab;
+use super::plane::{AreaVector, Slab};
 use super::tiling::{Edge, range};
 use super::ways::Ways;
 use crate::memory::{AllocResult, TryGrow, collected};
@@ -60,7 +61,8 @@ struct Search<'a> {
 struct Beside {
     /// Number of times that the facet has tiles on the left, and on the right.
     times: [i64; 2],
-    /// Tile on the left that the facet has, or the subfacet there that is nearest to its plane.
+    /// Tile on the left that the facet has, or the subfacet there that is least turned from its
+    /// plane.
     left: Option<Tile>,
 }
 
@@ -117,7 +119,7 @@ impl Search<'_> {
         let view = ways.view;
         let mut signs = Signs::<Robust>::default();
         let mut found = Beside { times: [0; 2], left: None };
-        let mut nearest = None;
+        let mut flattest = f64::NEG_INFINITY;
         for subfacet in ways.faces.beside(view, edge) {
             let vertices = view.mesh.boundary.subfacets[subfacet as usize];
             let Some(apex) = vertices.into_iter().find(|vertex| !edge.contains(vertex)) else {
@@ -137,18 +139,25 @@ impl Search<'_> {
             let is_turned = !super::faces::is_rotated(corners, vertices);
             let times = if is_own { times } else { 0 };
             let tile = Tile { subfacet, vertices: corners, is_turned, times };
-            let is_nearer =
-                |other: u32| self.slab.is_nearer(normal, [apex, other].map(|v| view.point(v)));
             let has_own = found.left.is_some_and(|left| left.times > 0);
             if is_own {
                 found.left = Some(tile);
-            } else if !has_own
-                && self.slab.holds(normal, view.point(apex))
-                && nearest.is_none_or(is_nearer)
-            {
-                (found.left, nearest) = (Some(tile), Some(apex));
+            } else if !has_own && self.slab.holds(normal, view.point(apex)) {
+                // Small triangles that stand on the facet are within the slab, too.
+                let own = normal_of(corners.map(|vertex| view.point(vertex)));
+                let cosine = own.map_or(0.0, |own| cosine(&own, normal));
+                if cosine > flattest {
+                    (found.left, flattest) = (Some(tile), cosine);
+                }
             }
         }
         Ok(found)
     }
+}
+
+/// Returns the direction of the exact normal of a triangle; `None` if it has no area.
+fn normal_of(corners: [&[f64; 3]; 3]) -> Option<[f64; 3]> {
+    let mut area = AreaVector::zero();
+    area.add_triangle(corners);
+    area.rounded().map(|(normal, _)| normal)
 }

@@ -50,16 +50,8 @@ pub(super) type Position<const D: usize> = [u64; D];
 impl<const D: usize> Reach<D> {
     pub fn of([from, to]: [&[f64; D]; 2]) -> Self {
         let units = std::array::from_fn(|k| unit_in_last_place(from[k].abs().max(to[k].abs())));
-        // Of infinite ways, which doubles do not have, all are as long.
-        let steps = |k: usize| (to[k] - from[k]).abs().min(f64::MAX) / units[k];
-        let axis = (1..D).fold(0, |axis, k| if steps(k) > steps(axis) { k } else { axis });
-        Self {
-            ends: [*from, *to],
-            units,
-            axis,
-            falls: std::array::from_fn(|k| to[k] < from[k]),
-            is_long: steps(axis) >= SHORTEST,
-        }
+        let falls = std::array::from_fn(|k| to[k] < from[k]);
+        Self { ends: [*from, *to], units, axis: 0, falls, is_long: false }.measured()
     }
 
     /// Returns the reach of a segment whose points were computed with larger coordinates, of which
@@ -68,10 +60,16 @@ impl<const D: usize> Reach<D> {
         for (own, unit) in self.units.iter_mut().zip(units) {
             *own = own.max(*unit);
         }
-        let steps =
-            |k: usize| (self.ends[1][k] - self.ends[0][k]).abs().min(f64::MAX) / self.units[k];
-        self.is_long = (0..D).any(|k| steps(k) >= SHORTEST);
-        self
+        self.measured()
+    }
+
+    /// Finds the axis on which the ends are most units apart.
+    fn measured(self) -> Self {
+        let [from, to] = &self.ends;
+        // Of infinite ways, which doubles do not have, all are as long.
+        let steps = |k: usize| (to[k] - from[k]).abs().min(f64::MAX) / self.units[k];
+        let axis = (1..D).fold(0, |axis, k| if steps(k) > steps(axis) { k } else { axis });
+        Self { axis, is_long: steps(axis) >= SHORTEST, ..self }
     }
 
     /// Returns the position of a point along the segment: by the axis on which the segment is

@@ -52,13 +52,30 @@ pub(super) fn add_surface(
     let rest = firsts.len() - pieces.borrowed.len();
     let borrowed = (rest..).zip(&pieces.borrowed).map(|(at, piece)| (parent(at), *piece));
     add_facets(&found, &collected(borrowed)?, arrangement, poll)?;
-    pieces.lines = ends_of_groups(&surface, &firsts, poll)?;
+    pieces.lines = ends_of_groups(&surface, &firsts, &spurs_of(pieces)?, poll)?;
     Ok(())
 }
 
+/// Returns the edges along which two edges of one of the caller's triangles go, each with the
+/// triangle, sorted: no more is there of a corner that is no wider than roundings.
+fn spurs_of(pieces: &Pieces) -> AllocResult<Vec<([u32; 2], u32)>> {
+    let of_piece = |piece: &Piece| match (piece.facet(), piece.vertices()) {
+        (Some(facet), &[a, b]) => Some(([a.min(b), a.max(b)], facet)),
+        _ => None,
+    };
+    let mut spurs = collected(pieces.all.iter().filter_map(of_piece))?;
+    spurs.sort_unstable();
+    Ok(spurs)
+}
+
 /// Returns the edges at which groups of triangles end: where one of the caller's triangles ends,
-/// and no neighbour goes on.
-fn ends_of_groups(surface: &Surface<'_>, groups: &[u32], poll: Poll<'_>) -> Result<Vec<[u32; 2]>> {
+/// and no neighbour goes on, nor has a spur there.
+fn ends_of_groups(
+    surface: &Surface<'_>,
+    groups: &[u32],
+    spurs: &[([u32; 2], u32)],
+    poll: Poll<'_>,
+) -> Result<Vec<[u32; 2]>> {
     let mut ends = Vec::new();
     // Groups, the caller's triangles, and the sides' own.
     let mut own: Vec<[u32; 3]> = Vec::new();
@@ -70,17 +87,23 @@ fn ends_of_groups(surface: &Surface<'_>, groups: &[u32], poll: Poll<'_>) -> Resu
             own.try_push([groups[at], surface.origins[at], triangle])?;
         }
         own.sort_unstable();
+        let ends_here = sides[0].ends;
+        let first_spur = spurs.partition_point(|spur| spur.0 < ends_here);
+        let spurs_here = spurs[first_spur..].iter().take_while(|spur| spur.0 == ends_here);
         let has_end = |same: &[[u32; 3]]| {
             // Two parts of a triangle are on both sides of an edge in it.
             let parts = same.chunk_by(|a, b| a[1] == b[1]).filter(|parts| parts.len() != 2);
             let ending = || parts.clone().map(|parts| parts[0][2]);
             let goes_on = |own: u32| {
+                let origin = surface.origins[own as usize];
+                let mut spurs = spurs_here.clone().map(|spur| spur.1);
                 ending().any(|other| other != own && surface.are_neighbors([own, other]))
+                    || spurs.any(|other| surface.are_neighbors_as_given([origin, other]))
             };
             !ending().all(goes_on)
         };
         if own.chunk_by(|a, b| a[0] == b[0]).any(has_end) {
-            ends.try_push(sides[0].ends)?;
+            ends.try_push(ends_here)?;
         }
     }
     Ok(ends)

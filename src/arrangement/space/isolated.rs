@@ -86,8 +86,13 @@ impl Isolated {
     }
 
     /// Adds vertices on edges, vertices in facets and lines in facets. Returns true if any of them
-    /// is new. O(n log n) for n of all there are.
-    pub fn extend(&mut self, points: &[[f64; 3]], added: &Added) -> AllocResult<bool> {
+    /// is new. Vertices are in their order along the `reach` of an edge. O(n log n) for n of all.
+    pub fn extend(
+        &mut self,
+        points: &[[f64; 3]],
+        added: &Added,
+        reach: impl Fn([u32; 2]) -> Reach<3>,
+    ) -> AllocResult<bool> {
         let count = |own: &Self| [own.on_edges.len(), own.in_facets.len(), own.lines.len()];
         let before = count(self);
         for &(edge, vertex) in &added.on_edges {
@@ -100,7 +105,7 @@ impl Isolated {
         self.on_edges.sort_unstable();
         self.on_edges.dedup_by_key(|on| (on.0, on.1));
         for own in self.on_edges.chunk_by_mut(|a, b| a.0 == b.0) {
-            let reach = Reach::of(own[0].0.map(|end| &points[end as usize]));
+            let reach = reach(own[0].0);
             own.sort_unstable_by_key(|on| reach.position(&points[on.1 as usize]));
         }
         self.in_facets.sort_unstable();

@@ -59,7 +59,11 @@ impl Surface<'_> {
     /// Returns true if two triangles that share an edge are parts of one of the caller's, or of two
     /// that are known to be neighbours.
     pub fn are_neighbors(&self, pair: [u32; 2]) -> bool {
-        let [a, b] = pair.map(|triangle| self.origins[triangle as usize]);
+        self.are_neighbors_as_given(pair.map(|triangle| self.origins[triangle as usize]))
+    }
+
+    /// Returns true if two of the caller's triangles are one, or known to be neighbours.
+    pub fn are_neighbors_as_given(&self, [a, b]: [u32; 2]) -> bool {
         let pair = [a.min(b), a.max(b)];
         let is_listed = |pairs: &Pairs<'_>| pairs.neighbors.binary_search(&pair).is_ok();
         a == b || self.pairs.as_ref().is_none_or(is_listed)

@@ -42,6 +42,10 @@ const REACH: f64 = 1.25;
 /// Distance from a vertex on the sphere, in radii, below which an arc is divided in its middle.
 const BESIDE: f64 = 1e-3;
 
+/// Sine of the angle of a subfacet at the centre below which it does not tell where its facet goes
+/// from a line.
+const FLAT: f64 = 1e-9;
+
 /// Distance from the centre, in radii, within which nothing is split for a simplex.
 const KEPT: f64 = 2.0;
 
@@ -201,13 +205,18 @@ impl State<3> {
             return None;
         }
         let unit = |x: [f64; 3]| x.map(|k| k / norm(&x));
-        let axes = [unit(u), unit(cross(&unit(cross(&u, &v)), &unit(u)))];
+        let facet = self.facets.get(page).facet;
+        let product = cross(&u, &v);
+        let normal = match norm(&product) > FLAT * norm(&u) * norm(&v) {
+            true => product,
+            false => self.facets.normal_at(facet, o),
+        };
+        let axes = [unit(u), unit(cross(&unit(normal), &unit(u)))];
         let (mut subfacet, mut angle) = (page, 0.0);
         loop {
             let ([u, v], _, beyond, next) = ways_of(subfacet)?;
             angle += norm(&cross(&u, &v)).atan2(dot(&u, &v));
             if beyond != NONE {
-                let facet = self.facets.get(page).facet;
                 return Some(Sector { facet, angle, axes });
             }
             subfacet = next;

@@ -5,6 +5,7 @@
 use super::anchors::Anchors;
 use super::edges::Edges;
 use super::exact::{meets, unit_in_last_place};
+use super::roundings::Roundings;
 use crate::error::message;
 use crate::memory::{AllocResult, Lists, TryGrow, filled};
 use crate::mesh::{Inputs, NONE, Segments};
@@ -12,12 +13,12 @@ use crate::quality::view::View;
 use crate::validate::report::{Findings, Violation, ViolationKind};
 
 /// A segment goes through inputs and crossings that are nearer to it than rounding explains, and
-/// through those near it then. None of these is farther from it than so many units in the last
-/// place of the larger coordinates of its ends, along each axis.
+/// through those near it then. None of these is farther from it than so many units of [`Roundings`]
+/// of its ends, along each axis.
 pub(super) const BENT: f64 = 16.0;
 
-/// Length, in units in the last place of the larger coordinate of its ends, below which a segment
-/// is bent through no input on any axis: rounding explains no gap beside it.
+/// Length, in units of roundings of its ends, below which a segment is bent through no input on any
+/// axis: rounding explains no gap beside it.
 const SHORTEST: f64 = 4096.0;
 
 /// Distance from a segment up to which a vertex is on its chain.
@@ -27,7 +28,7 @@ pub(super) enum Nearness {
     Exact(usize),
     /// Half a unit in the last place.
     Rounded,
-    /// [`BENT`] units in the last place of the segment's ends.
+    /// [`BENT`] units of roundings of the segment's ends.
     Bent,
 }
 
@@ -41,6 +42,7 @@ pub(super) struct Chains<'a, const D: usize> {
     /// The vertices of the chain at hand, and those that a search has yet to leave.
     path: Vec<u32>,
     waiting: Vec<u32>,
+    roundings: Roundings<D>,
 }
 
 /// A segment between two vertices, or with [`NONE`] a side of the extent, which has all
@@ -92,7 +94,14 @@ impl<'a, const D: usize> Chains<'a, D> {
     pub fn new(view: View<'a, D>, at: &'a Lists) -> AllocResult<Self> {
         let reached = filled(view.vertex_count(), (NONE, NONE))?;
         let (path, waiting) = Default::default();
-        Ok(Self { view, at, reached, searches: 0, path, waiting })
+        let roundings = Roundings::of_axes();
+        Ok(Self { view, at, reached, searches: 0, path, waiting, roundings })
+    }
+
+    /// Takes units of other axes for roundings, too.
+    pub fn with_roundings(mut self, roundings: Roundings<D>) -> Self {
+        self.roundings = roundings;
+        self
     }
 
     /// Returns the vertices of the way that was found last, from end to end.
@@ -121,7 +130,8 @@ impl<'a, const D: usize> Chains<'a, D> {
     /// Returns true if a way is so short that no input bends it.
     pub fn is_short(&self, way: Way) -> bool {
         let [from, to] = way.ends.map(|end| self.view.point(end));
-        (0..D).all(|axis| steps(from, to, axis) < SHORTEST)
+        let units = self.roundings.units_of([from, to]);
+        (0..D).all(|axis| steps(from, to, axis, units[axis]) < SHORTEST)
     }
 
     /// Fills `path` with the vertices of a segment from end to end; the vertex where they end
@@ -157,7 +167,8 @@ impl<'a, const D: usize> Chains<'a, D> {
     fn advances(&self, way: Way, a: u32, b: u32) -> bool {
         let [from, to] = way.ends.map(|end| self.view.point(end));
         let [a, b] = [a, b].map(|vertex| self.view.point(vertex));
-        let steps = |axis: usize| steps(from, to, axis);
+        let units = self.roundings.units_of([from, to]);
+        let steps = |axis: usize| steps(from, to, axis, units[axis]);
         let axis = (1..D).fold(0, |axis, k| if steps(k) > steps(axis) { k } else { axis });
         let advances = if to[axis] < from[axis] { b[axis] < a[axis] } else { a[axis] < b[axis] };
         advances || a[axis] == b[axis] && a != b
@@ -252,19 +263,17 @@ impl<'a, const D: usize> Chains<'a, D> {
     pub fn is_near(&self, way: Way, vertex: u32, nearness: Nearness) -> AllocResult<bool> {
         let [from, to] = way.ends.map(|end| self.view.point(end));
         let p = self.view.point(vertex);
-        let width = |axis: usize| match nearness {
-            Nearness::Exact(inputs) if (vertex as usize) < inputs => 0.0,
-            Nearness::Exact(_) | Nearness::Rounded => unit_in_last_place(p[axis]),
-            Nearness::Bent => 2.0 * BENT * unit_in_last_place(from[axis].abs().max(to[axis].abs())),
+        let widths = match nearness {
+            Nearness::Exact(inputs) if (vertex as usize) < inputs => [0.0; D],
+            Nearness::Exact(_) | Nearness::Rounded => p.map(unit_in_last_place),
+            Nearness::Bent => self.roundings.units_of([from, to]).map(|unit| 2.0 * BENT * unit),
         };
-        meets(from, to, p, std::array::from_fn(width))
+        meets(from, to, p, widths)
     }
 }
 
-/// Returns the number of units in the last place of the larger coordinate between two points on an
-/// axis.
-fn steps<const D: usize>(from: &[f64; D], to: &[f64; D], axis: usize) -> f64 {
-    let unit = unit_in_last_place(from[axis].abs().max(to[axis].abs()));
+/// Returns the number of units between two points on an axis.
+fn steps<const D: usize>(from: &[f64; D], to: &[f64; D], axis: usize, unit: f64) -> f64 {
     (to[axis] - from[axis]).abs().min(f64::MAX) / unit
 }
 

@@ -25,6 +25,7 @@ mod interior;
 mod labels;
 mod lines;
 mod regions;
+mod roundings;
 mod space;
 mod sum;
 #[cfg(test)]

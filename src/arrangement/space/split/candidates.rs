@@ -1,7 +1,8 @@
 //! Points that become vertices where none is near.
 
+use super::roundings::Roundings;
 use crate::arrangement::near::Near;
-use crate::arrangement::reach::{NEAR, Reach};
+use crate::arrangement::reach::NEAR;
 use crate::memory::{AllocResult, TryGrow, collected, copied, with_capacity};
 use crate::mesh::NONE;
 use std::array::from_fn;
@@ -26,6 +27,7 @@ pub(super) struct Candidate {
 pub(super) fn vertices_of(
     points: &mut Vec<[f64; 3]>,
     candidates: &[Candidate],
+    roundings: &Roundings,
 ) -> AllocResult<Vec<u32>> {
     let known = points.len();
     let mut all = copied(points)?;
@@ -54,8 +56,7 @@ pub(super) fn vertices_of(
                     (y[k] - candidate.x[k]).abs() <= NEAR * units[k].max(candidate.units[k])
                 };
                 let may_be = |edge: &[u32; 2]| {
-                    edge[0] == NONE
-                        || Reach::of(edge.map(|end| &points[end as usize])).may_go_through(y)
+                    edge[0] == NONE || roundings.reach(points, *edge).may_go_through(y)
                 };
                 if (0..3).all(is_close) && candidate.edges.iter().all(may_be) {
                     vertex = Some(vertex.map_or(there, |first: u32| first.min(there)));

@@ -4,19 +4,18 @@ use super::super::crossed::{each_meeting_of_edges, images, point_of_edge, vertic
 use super::super::intersections::each_pair;
 use super::super::meet::{Face, corner, meet};
 use super::super::pieces::{Piece, Pieces, Untiled};
-use super::super::plane::units_of;
 use super::areas::Areas;
 use super::candidates::Candidate;
 use super::coplanar::{Coplanar, Edges, wide_bounds};
 use super::finest::{corner_of, finest, on_planes};
 use super::owners::Owners;
+use super::roundings::units_of_roundings;
 use crate::arrangement::poll::Poll;
 use crate::arrangement::reach::Reach;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow};
 use crate::mesh::NONE;
 use crate::nearest::bounds_of;
-use std::array::from_fn;
 
 /// Corners of what pieces share, by pairs of pieces, and the points where there is no vertex yet.
 #[derive(Default)]
@@ -203,20 +202,9 @@ fn units(points: &[[f64; 3]], vertices: impl Iterator<Item = u32> + Clone) -> [f
     let corners = vertices.map(|vertex| &points[vertex as usize]);
     let [low, high] = bounds_of(corners.clone());
     match Reach::of([&low, &high]).is_long() {
-        true => spread_units(corners),
+        true => units_of_roundings(corners),
         false => [0.0; 3],
     }
-}
-
-/// Returns the units in the last place of the largest coordinates of points, those of the coarsest
-/// axis for all: what is slanted has its roundings on every axis. An axis has no unit beyond a part
-/// of 2^40 of the extent along it.
-pub(super) fn spread_units<'a>(points: impl Iterator<Item = &'a [f64; 3]> + Clone) -> [f64; 3] {
-    const PART: f64 = 1.0 / (1u64 << 40) as f64;
-    let [low, high] = bounds_of(points.clone());
-    let units = units_of(points);
-    let coarsest = units.iter().fold(0.0f64, |most, unit| most.max(*unit));
-    from_fn(|k| units[k].max(coarsest.min(PART * (high[k] - low[k]))))
 }
 
 /// Returns the three facets of which two lines in a facet are crossings, if each is one with a

@@ -16,6 +16,7 @@
 //!   that [`coplanar`] finds in one plane.
 //! - [`needles`] finds triangles that are no wider than roundings: their edges go through their
 //!   corners.
+//! - [`roundings`] has the units of what counts as near.
 //! - [`sound`] tells whether roundings left facets and edges what they were.
 //! - [`owners`] tells of which edges the edges of pieces are parts.
 
@@ -27,6 +28,7 @@ mod finest;
 mod needles;
 mod owners;
 mod places;
+mod roundings;
 mod sound;
 #[cfg(test)]
 mod tests;
@@ -98,7 +100,8 @@ pub(super) fn split(
         }
         let mut added = corners.placed(points, task.inputs.distinct(), &pieces, &owners)?;
         added.on_edges.try_extend(&needles)?;
-        if !on.extend(points, &added)? {
+        let reach = |edge| owners.roundings.reach(points, edge);
+        if !on.extend(points, &added, reach)? {
             return Ok(None);
         }
     }

@@ -2,7 +2,7 @@
 
 use super::super::TaskInSpace;
 use super::super::isolated::Isolated;
-use super::corners::spread_units;
+use super::roundings::Roundings;
 use crate::arrangement::reach::Reach;
 use crate::memory::{AllocResult, TryGrow, collected};
 use crate::mesh::NONE;
@@ -17,6 +17,8 @@ pub(super) struct Owners {
     lines: Vec<([u32; 2], u32)>,
     /// Facet -> the units in the last place of its largest coordinates.
     units: Vec<[f64; 3]>,
+    /// The units of what counts as near.
+    pub roundings: Roundings,
     /// Facet -> its corners if it is a triangle, otherwise [`NONE`].
     triangles: Vec<[u32; 3]>,
 }
@@ -52,9 +54,10 @@ impl Owners {
         }
         parts.sort_unstable();
         parts.dedup();
+        let roundings = Roundings::within(points[..inputs.distinct()].iter());
         let units_of_facet = |facet: usize| {
             let own = facets.loops(facet).flatten();
-            spread_units(own.map(|&input| &points[vertex(input) as usize]))
+            roundings.units_of(own.map(|&input| &points[vertex(input) as usize]))
         };
         let units = collected((0..facets.count()).map(units_of_facet))?;
         let triangle = |facet: usize| {
@@ -65,7 +68,7 @@ impl Owners {
             }
         };
         let triangles = collected((0..facets.count()).map(triangle))?;
-        Ok(Self { parts, edges, lines, units, triangles })
+        Ok(Self { parts, edges, lines, units, roundings, triangles })
     }
 
     /// Returns the edges of facets and segments.
@@ -92,7 +95,7 @@ impl Owners {
         line: [u32; 2],
         facets: impl Iterator<Item = u32>,
     ) -> Reach<3> {
-        let reach = Reach::of(line.map(|end| &points[end as usize]));
+        let reach = self.roundings.reach(points, line);
         facets.fold(reach, |reach, facet| reach.widened(&self.units[facet as usize]))
     }
 

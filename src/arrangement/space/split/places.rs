@@ -28,7 +28,7 @@ impl Corners {
         pieces: &Pieces,
         owners: &Owners,
     ) -> AllocResult<Added> {
-        let vertices = vertices_of(points, &self.candidates)?;
+        let vertices = vertices_of(points, &self.candidates, &owners.roundings)?;
         let points = &points[..];
         let mut placer = Placer { points, pieces, owners, added: Added::default() };
         let mut placed = Vec::new();
@@ -139,7 +139,7 @@ impl Placer<'_> {
         let mut new = Near::new(&self.points[inputs..])?;
         let mut found = Vec::new();
         for &edge in self.owners.edges() {
-            let reach = Reach::of(edge.map(|end| &self.points[end as usize]));
+            let reach = self.owners.roundings.reach(self.points, edge);
             found.clear();
             new.collect(&reach, reach.ends.each_ref(), &mut found)?;
             found.iter_mut().for_each(|vertex| *vertex += inputs as u32);

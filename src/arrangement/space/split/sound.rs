@@ -4,9 +4,10 @@
 use super::super::TaskInSpace;
 use super::super::isolated::Isolated;
 use super::super::pieces::{Piece, Pieces};
-use super::super::plane::{Gauge, from_line, units_of};
+use super::super::plane::{Gauge, from_line};
 use super::super::sides::Sides;
 use super::owners::Owners;
+use super::roundings::Roundings;
 use crate::arrangement::poll::Poll;
 use crate::arrangement::reach::Reach;
 use crate::error::Result;
@@ -32,19 +33,20 @@ pub(super) fn is_sound(
     on: &Isolated,
     poll: Poll<'_>,
 ) -> Result<bool> {
+    let roundings = &owners.roundings.of_bends();
     let is_straight = |(edge, vertex): ([u32; 2], u32)| {
-        let reach = Reach::of(edge.map(|end| &points[end as usize]));
         owners.edges().binary_search(&edge).is_err()
-            || reach.offset_from_segment(&points[vertex as usize]) <= MOST_BENT
+            || roundings.reach(points, edge).offset_from_segment(&points[vertex as usize])
+                <= MOST_BENT
     };
     if !on.on_edges().all(is_straight) {
         return Ok(false);
     }
     for own in pieces.all.chunk_by(|a, b| a.feature == b.feature) {
         if let Feature::Facet(facet) = own[0].feature {
-            let is_whole = is_wider_than_bends(points, task, on, facet)
-                && own.iter().all(|piece| piece.triangle().is_some())
-                && is_flat(points, task, facet, own)
+            let is_whole = is_wider_than_bends(points, task, on, facet, roundings)
+                && own.iter().any(|piece| piece.triangle().is_some())
+                && is_flat(points, task, facet, own, roundings)
                 && ends_at_its_edges(task, on, facet, own, poll)?;
             if !is_whole {
                 return Ok(false);
@@ -61,6 +63,7 @@ fn is_wider_than_bends(
     task: &TaskInSpace<'_>,
     on: &Isolated,
     facet: u32,
+    roundings: &Roundings,
 ) -> bool {
     let vertex = |&input: &u32| task.inputs.vertices()[input as usize];
     let corners = task.facets.loops(facet as usize).flatten().map(vertex);
@@ -72,7 +75,8 @@ fn is_wider_than_bends(
                 return true;
             }
             let ends = edge.map(|end| &points[end as usize]);
-            let (reach, units) = (Reach::of(ends), units_of(ends.into_iter()));
+            let (reach, units) =
+                (roundings.reach(points, edge), roundings.units_of(ends.into_iter()));
             let is_beside = |x: &[f64; 3]| {
                 let is_at =
                     |end: &&[f64; 3]| (0..3).all(|k| (x[k] - end[k]).abs() <= MOST_BENT * units[k]);
@@ -89,7 +93,13 @@ fn is_wider_than_bends(
 
 /// Returns true if the vertices of a facet's triangles are near its plane, or as far from it as its
 /// corners are: a polygon may be bent.
-fn is_flat(points: &[[f64; 3]], task: &TaskInSpace<'_>, facet: u32, own: &[Piece]) -> bool {
+fn is_flat(
+    points: &[[f64; 3]],
+    task: &TaskInSpace<'_>,
+    facet: u32,
+    own: &[Piece],
+    roundings: &Roundings,
+) -> bool {
     let vertex = |&input: &u32| task.inputs.vertices()[input as usize];
     let corners = task.facets.loops(facet as usize).flatten().map(vertex);
     let corners = corners.map(|vertex| &points[vertex as usize]);
@@ -100,7 +110,7 @@ fn is_flat(points: &[[f64; 3]], task: &TaskInSpace<'_>, facet: u32, own: &[Piece
     let Some(a) = most(&|x| distance(first, x)) else { return true };
     let Some(b) = most(&|x| distance(a, x)) else { return true };
     let Some(c) = most(&|x| from_line([a, b], x)) else { return true };
-    let gauge = Gauge::new([a, b, c], units_of(corners.clone()));
+    let gauge = Gauge::new([a, b, c], roundings.units_of(corners.clone()));
     let is_below = |x: &[f64; 3]| orientation(&[a, b, c, x]).is_negative();
     // The largest distance of a corner above the plane, and below it.
     let mut bends = [0.0f64; 2];

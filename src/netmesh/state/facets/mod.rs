@@ -356,6 +356,11 @@ impl Facets {
         self.plane_at(facet, x).at(x)
     }
 
+    /// Returns a normal of a facet near `x`, about which its triangles are counterclockwise.
+    pub fn normal_at(&self, facet: u32, x: &[f64; 3]) -> [f64; 3] {
+        self.plane_at(facet, x).normal()
+    }
+
     /// Returns a point of a facet near `x`: the nearest of the plane there, put on the facet.
     pub fn foot(&self, facet: u32, x: &[f64; 3]) -> [f64; 3] {
         let foot = self.plane_at(facet, x).foot(x);

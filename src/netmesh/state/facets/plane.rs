@@ -68,6 +68,19 @@ impl Plane {
         on
     }
 
+    /// Returns a normal, about which triangles of the facet are counterclockwise. Its largest
+    /// component is 1 or -1.
+    pub fn normal(&self) -> [f64; 3] {
+        let [u, v] = self.axes;
+        let sign = if (u + 1) % 3 == v { 1.0 } else { -1.0 };
+        let mut normal = [0.0; 3];
+        normal[self.dropped] = sign;
+        for (axis, slope) in self.axes.into_iter().zip(self.slopes) {
+            normal[axis] = -sign * slope.high;
+        }
+        normal
+    }
+
     /// Returns the point of the plane that is nearest to `x`, rounded.
     pub fn foot(&self, x: &[f64; 3]) -> [f64; 3] {
         let height = self.height(x);
@@ -130,8 +143,26 @@ fn slopes(normal: &[DoubleDouble; 3], dropped: usize, axes: [usize; 2]) -> [Doub
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numerics::cross;
 
     const FACES: [[usize; 3]; 4] = [[0, 1, 2], [1, 2, 0], [2, 1, 0], [0, 2, 1]];
+
+    #[test]
+    fn triangles_are_counterclockwise_about_the_normal() {
+        let points = [[0.0, 0.0, 0.0], [1.0, 0.25, -2.0], [0.5, -3.0, 0.125]];
+        for turn in 0..3 {
+            for order in [[0, 1, 2], [0, 2, 1]] {
+                let turned = |x: [f64; 3]| [0, 1, 2].map(|k: usize| x[(k + turn) % 3]);
+                let [a, b, c] = order.map(|at: usize| turned(points[at]));
+                let exact = cross(&b, &c);
+                let largest = exact.iter().fold(0.0f64, |most, x| most.max(x.abs()));
+                let normal = Plane::of(&[[a, b, c]]).normal();
+                for (x, y) in normal.iter().zip(exact) {
+                    assert!((x - y / largest).abs() < 1e-15, "{normal:?} {exact:?}");
+                }
+            }
+        }
+    }
 
     #[test]
     fn points_of_axis_parallel_planes_are_exact() {

@@ -90,7 +90,7 @@ impl Slab {
     /// Returns the planes between which all vertices of a facet are.
     pub fn wide(facet: &Facet, ways: &Ways<'_>) -> Self {
         let points = facet.corners.iter().map(|&corner| ways.input(corner));
-        let units = units_of(points.clone());
+        let units = ways.roundings.units_of(points.clone());
         let mut slab = Self::of(&facet.normal, points);
         slab.widen(&facet.normal, &units.map(|unit| BENT * unit));
         slab
@@ -124,14 +124,6 @@ impl Slab {
     pub fn holds(&self, normal: &[f64; 3], point: &[f64; 3]) -> bool {
         !exceeds(&self.low, normal, point) && !falls_below(&self.high, normal, point)
     }
-}
-
-/// Returns for each axis the unit in the last place of the largest coordinate of points.
-fn units_of<'a>(points: impl Iterator<Item = &'a [f64; 3]> + Clone) -> [f64; 3] {
-    std::array::from_fn(|axis| {
-        let largest = points.clone().fold(0.0, |most: f64, point| most.max(point[axis].abs()));
-        unit_in_last_place(largest)
-    })
 }
 
 /// Checks that the inputs of a side of a hull are in a plane: up to rounding, and up to the bends
@@ -196,7 +188,7 @@ pub(super) fn check(
     findings: &mut Findings,
 ) {
     let points = facet.corners.iter().map(|&corner| ways.input(corner));
-    let units = units_of(points.clone());
+    let units = ways.roundings.units_of(points.clone());
     let normal = &facet.normal;
     let mut slab = Slab::of(normal, points);
     slab.widen(normal, &units.map(|unit| ROUNDED * unit));

@@ -6,7 +6,6 @@
 //! areas is that of the polygon, but for roundings of vertices on its edges.
 
 use super::super::chains::BENT;
-use super::super::exact::unit_in_last_place;
 use super::super::sum::Sum;
 use super::faces::Faces;
 use super::given::Facet;
@@ -270,7 +269,8 @@ pub(super) fn check_area(
         let [from, to] = ends.map(|end| facet.projection.of(ways.input(end)));
         difference.add_facet([&to, &from]);
         if ways.faces.subsegment(ways.view, ends).is_none() {
-            add_deviation(&from, &to, &mut bound);
+            let units = ways.roundings.units_of(ends.map(|end| ways.input(end)));
+            add_deviation(&from, &to, facet.projection.of(&units), &mut bound);
         }
     }
     if difference.sign() == Ordering::Less {
@@ -289,10 +289,9 @@ pub(super) fn check_area(
 }
 
 /// Adds twice the area that is between an edge and a chain which is as near to it as one may be.
-fn add_deviation(from: &[f64; 2], to: &[f64; 2], bound: &mut Sum) {
+fn add_deviation(from: &[f64; 2], to: &[f64; 2], units: [f64; 2], bound: &mut Sum) {
     for (axis, other) in [(0, 1), (1, 0)] {
         let half = (0.5 * to[axis] - 0.5 * from[axis]).abs().next_up();
-        let unit = unit_in_last_place(from[other].abs().max(to[other].abs()));
-        bound.add_product(&[4.0 * BENT, half, unit]);
+        bound.add_product(&[4.0 * BENT, half, units[other]]);
     }
 }

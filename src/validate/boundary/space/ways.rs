@@ -3,6 +3,7 @@
 
 use super::super::chains::{Chains, Nearness, Way, describe, describe_distance};
 use super::super::exact::{meets, unit_in_last_place};
+use super::super::roundings::Roundings;
 use super::faces::Faces;
 use super::given;
 use super::tiling::name_of;
@@ -18,6 +19,7 @@ pub(super) struct Ways<'a> {
     pub view: View<'a, 3>,
     pub faces: &'a Faces,
     pub inputs: &'a Inputs,
+    pub roundings: Roundings<3>,
     chains: Chains<'a, 3>,
     /// Vertices of the chain that was found last.
     path: Vec<u32>,
@@ -34,13 +36,28 @@ pub(super) struct Ways<'a> {
 impl<'a> Ways<'a> {
     pub fn new(inputs: &'a Inputs, view: View<'a, 3>, faces: &'a Faces) -> AllocResult<Self> {
         let count = view.mesh.boundary.subsegments.len();
-        let chains = Chains::new(view, &faces.at)?;
+        let roundings = match view.mesh.parameters.crossings {
+            Crossings::Split => Roundings::of_crossings(inputs),
+            Crossings::Refuse => Roundings::of_axes(),
+        };
+        let chains = Chains::new(view, &faces.at)?.with_roundings(roundings);
         let (is_covered, owners) = (filled(count, false)?, filled(count, NONE)?);
         let mut is_on_chain = filled(view.mesh.vertex_count(), false)?;
         let ends = view.mesh.boundary.subsegments.iter().flatten();
         ends.for_each(|&vertex| is_on_chain[vertex as usize] = true);
         let (tile_of, path) = (filled(view.mesh.boundary.subfacets.len(), (NONE, 0))?, Vec::new());
-        Ok(Self { view, faces, inputs, chains, path, is_covered, owners, is_on_chain, tile_of })
+        Ok(Self {
+            view,
+            faces,
+            inputs,
+            roundings,
+            chains,
+            path,
+            is_covered,
+            owners,
+            is_on_chain,
+            tile_of,
+        })
     }
 
     /// Returns true if a vertex is on a segment, or on an edge of a facet.

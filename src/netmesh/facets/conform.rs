@@ -5,11 +5,16 @@ use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{TryGrow, collected, with_capacity};
 use crate::mesh::{ArrangedFacet, Arrangement, NONE, Subsegment};
+use crate::nearest::{Bounds, bounds_of};
 use crate::netmesh::state::Mesher;
 use crate::netmesh::state::facets::bent::Bent;
 use crate::netmesh::state::facets::plane::Plane;
 use crate::netmesh::state::facets::{Facet, Facets};
 use crate::netmesh::state::segments::chain::{Chains, Line};
+
+/// Number of units in the last place of a facet's largest coordinate by which its vertices may be
+/// beyond the box of its corners.
+const MARGIN: f64 = 128.0;
 
 impl Mesher<'_, '_, 3> {
     /// Inserts the inputs, makes all segments chains of edges and all facets sheets of faces, and
@@ -84,8 +89,9 @@ impl Mesher<'_, '_, 3> {
                 }
                 None => NONE,
             };
+            let bounds = wide_bounds_of(points.iter().flatten());
             for &ArrangedFacet { parent, .. } in parts {
-                facets.push(Facet { parent, plane, bent, first_radius: f64::INFINITY });
+                facets.push(Facet { parent, plane, bent, first_radius: f64::INFINITY, bounds });
             }
             rest = &rest[own..];
         }
@@ -94,6 +100,14 @@ impl Mesher<'_, '_, 3> {
         let chains = &self.state.segments.chains;
         Facets::new((facets, all_bent), &balances, &triangles, chains, count, &mut self.watch)
     }
+}
+
+/// Returns the box of a facet's corners, with a margin for its vertices, which have roundings.
+fn wide_bounds_of<'a>(corners: impl Iterator<Item = &'a [f64; 3]>) -> Bounds {
+    let [low, high] = bounds_of(corners);
+    let largest = low.iter().chain(&high).fold(0.0f64, |largest, x| largest.max(x.abs()));
+    let margin = MARGIN * (largest.next_up() - largest);
+    [low.map(|x| x - margin), high.map(|x| x + margin)]
 }
 
 /// Returns the triangles that one of the caller's facets has on those of earlier ones.

@@ -38,13 +38,17 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Splits a facet at `x`, which has this cavity, and is in a subfacet or near one; false if it
-    /// is beyond a subsegment.
+    /// is beyond a subsegment, or beyond the facet.
     pub(super) fn split_facet_at(
         &mut self,
         subfacet: u32,
         x: &[f64; 3],
         cavity: &mut Cavity,
     ) -> Result<bool> {
+        let facets = &self.state.facets;
+        if !facets.is_in_box(facets.get(subfacet).facet, x) {
+            return Ok(false);
+        }
         let place: [f64; D] = std::array::from_fn(|axis| x[axis]);
         let domain = self.enter_from_segment(&place, cavity)?;
         let vertex = self.state.add_vertex(place)?;

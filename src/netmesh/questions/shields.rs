@@ -46,6 +46,10 @@ const BESIDE: f64 = 1e-3;
 /// from a line.
 const FLAT: f64 = 1e-9;
 
+/// Distance from the centre, in radii, of the middle between the ends of an arc from which on it
+/// tells where the middle of the arc is.
+const LEAST_WAY: f64 = 1e-3;
+
 /// Distance from the centre, in radii, within which nothing is split for a simplex.
 const KEPT: f64 = 2.0;
 
@@ -266,6 +270,9 @@ impl State<3> {
         let o = self.delaunay.point(shield.center);
         let at_radius =
             |to: &[f64; 3], radius: f64| self.point_at_radius(facet, shield, to, radius);
+        if distance(o, x) == 0.0 {
+            return None;
+        }
         let sector = self.subfacet_at(subfacet, &at_radius(x, 0.5 * shield.radius))?;
         if distance(o, x) >= shield.radius && !self.is_in_circle(sector, x) {
             return None;
@@ -276,15 +283,13 @@ impl State<3> {
         let on_arc = on_arc.map(|vertex| self.delaunay.point(vertex));
         let is_beside = |vertex: &[f64; 3]| distance(vertex, &place) < BESIDE * shield.radius;
         let is_divided = vertices.contains(&shield.center) && on_arc.clone().any(is_beside);
-        let place = match is_divided {
-            true => {
-                let middle = on_arc.fold([0.0; 3], |sum: [f64; 3], vertex| {
-                    std::array::from_fn(|k| sum[k] + 0.5 * vertex[k])
-                });
-                at_radius(&middle, shield.radius)
-            }
-            false => place,
-        };
+        let middle = on_arc.fold([0.0; 3], |sum: [f64; 3], vertex| {
+            std::array::from_fn(|k| sum[k] + 0.5 * vertex[k])
+        });
+        // The middle of an arc of half a circle is the centre.
+        let has_middle = distance(o, &middle) > LEAST_WAY * shield.radius;
+        let place =
+            if is_divided && has_middle { at_radius(&middle, shield.radius) } else { place };
         Some((self.subfacet_at(sector, &place)?, place))
     }
 

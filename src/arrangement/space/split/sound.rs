@@ -9,7 +9,6 @@ use super::super::sides::Sides;
 use super::owners::Owners;
 use super::roundings::Roundings;
 use crate::arrangement::poll::Poll;
-use crate::arrangement::reach::Reach;
 use crate::error::Result;
 use crate::memory::{TryGrow, collected};
 use crate::mesh::Feature;

@@ -284,6 +284,28 @@ fn facets_far_away_along_an_axis_are_split() {
     }
 }
 
+/// Splits triangles of which one corner is at y = 0 up to what trigonometry leaves of zeros: what
+/// crosses there has the roundings of x and z.
+#[test]
+fn edges_are_at_zero_up_to_roundings_of_other_axes() {
+    let mut random = Random(5);
+    for trial in 0..20 {
+        let corner = |random: &mut Random| [0; 3].map(|_: i32| random.unit() - 0.5);
+        let mut points = [[0.0; 3]; 24].map(|_: Point| corner(&mut random));
+        for (at, x) in points.iter_mut().enumerate() {
+            match at % 3 {
+                0 => x[1] = [0.0, 3e-17, -1e-18][random.integer(0, 2) as usize],
+                1 => x[1] = [0.0, 2e-17, 1e-33][random.integer(0, 2) as usize],
+                _ => (),
+            }
+            x[2] = if at % 3 < 2 { 0.25 } else { x[2] };
+        }
+        let triangles: Vec<_> = (0..8).map(|at| [3 * at, 3 * at + 1, 3 * at + 2]).collect();
+        let case = Case::surface(&points, &triangles);
+        check(&case, &split(&case).unwrap_or_else(|error| panic!("{trial}: {}", error.message())));
+    }
+}
+
 /// Draws triangles with whole coordinates in one plane.
 fn layers(count: usize, random: &mut Random) -> Case {
     let mut points: Vec<Point> = Vec::new();

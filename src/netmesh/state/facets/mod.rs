@@ -20,6 +20,7 @@ use crate::memory::{
     AllocError, AllocResult, Array, Lists, TryGrow, filled, sorted_in_buckets, with_capacity,
 };
 use crate::mesh::NONE;
+use crate::nearest::Bounds;
 use crate::netmesh::state::facets::bent::Bent;
 use crate::netmesh::state::facets::faces::Faces;
 use crate::netmesh::state::facets::features::Features;
@@ -106,6 +107,8 @@ pub(in crate::netmesh) struct Facet {
     pub bent: u32,
     /// Radius of its smallest subfacet before any was split; infinite until that is known.
     pub first_radius: f64,
+    /// Box of its corners, with a margin for roundings.
+    pub bounds: Bounds,
 }
 
 /// Part of a facet between subsegments: it has one region on either side.
@@ -354,6 +357,13 @@ impl Facets {
     /// Returns the point of a facet that is at `x` in its projection, rounded.
     pub fn point_at(&self, facet: u32, x: &[f64; 3]) -> [f64; 3] {
         self.plane_at(facet, x).at(x)
+    }
+
+    /// Returns true if a point is in the box of a facet. Where subfacets are flat but for roundings
+    /// the sheet may lead to places beyond.
+    pub fn is_in_box(&self, facet: u32, x: &[f64; 3]) -> bool {
+        let [low, high] = &self.facets[facet as usize].bounds;
+        (0..3).all(|k| low[k] <= x[k] && x[k] <= high[k])
     }
 
     /// Returns a normal of a facet near `x`, about which its triangles are counterclockwise.

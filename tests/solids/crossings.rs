@@ -434,6 +434,21 @@ fn corners_no_wider_than_roundings_are_spurs() {
     }
 }
 
+/// Meshes two triangles that have a corner 10 units in the last place from each other: the edges of
+/// one lead to its corner along a line that no other triangle has.
+#[test]
+fn spurs_that_nobody_else_has_are_lines() {
+    let points = [
+        [100.0000000000009, 1.5000000000009206, 0.5],
+        [100.5, 1.5, 0.75],
+        [100.75000000000014, 1.5, 0.75],
+        [100.75, 1.0, 0.0],
+        [100.75, 1.5, 0.75],
+        [100.25, 1.5, 0.7500000000008598],
+    ];
+    run(&points, &[[0, 1, 2], [3, 4, 5]], &split(Extent::Box, f64::INFINITY));
+}
+
 /// Meshes two triangles of a robot's trunk at y = 42.5 and z = 560. One goes through a vertex of
 /// the other as nearly as z is rounded, and not as y is.
 #[test]

@@ -9,7 +9,7 @@ use super::pieces::{Piece, Pieces};
 use super::sides::{Side, Sides};
 use crate::arrangement::poll::{LONG, Poll};
 use crate::error::Result;
-use crate::memory::{AllocResult, Lists, TryGrow, collected, with_capacity};
+use crate::memory::{AllocResult, Lists, TryGrow, collected, filled, with_capacity};
 use crate::mesh::{ArrangedFacet, Arrangement, FacetTriangle, NONE};
 use crate::options::Crossings;
 
@@ -52,7 +52,10 @@ pub(super) fn add_surface(
     let rest = firsts.len() - pieces.borrowed.len();
     let borrowed = (rest..).zip(&pieces.borrowed).map(|(at, piece)| (parent(at), *piece));
     add_facets(&found, &collected(borrowed)?, arrangement, poll)?;
-    pieces.lines = ends_of_groups(&surface, &firsts, &spurs_of(pieces)?, poll)?;
+    let spurs = spurs_of(pieces)?;
+    let mut lines = ends_of_groups(&surface, &firsts, &spurs, poll)?;
+    lines.try_extend(&lone_spurs(&surface, &firsts, &spurs)?)?;
+    pieces.lines = lines;
     Ok(())
 }
 
@@ -66,6 +69,33 @@ fn spurs_of(pieces: &Pieces) -> AllocResult<Vec<([u32; 2], u32)>> {
     let mut spurs = collected(pieces.all.iter().filter_map(of_piece))?;
     spurs.sort_unstable();
     Ok(spurs)
+}
+
+/// Returns the spurs along which no triangle of their group has an edge.
+fn lone_spurs(
+    surface: &Surface<'_>,
+    groups: &[u32],
+    spurs: &[([u32; 2], u32)],
+) -> AllocResult<Vec<[u32; 2]>> {
+    if spurs.is_empty() {
+        return Ok(Vec::new());
+    }
+    let mut group_of = filled(surface.given.len(), NONE)?;
+    let mut sides: Vec<([u32; 2], u32)> = Vec::new();
+    for (at, &[a, b, c]) in surface.triangles.iter().enumerate() {
+        group_of[surface.origins[at] as usize] = groups[at];
+        for [from, to] in [[a, b], [b, c], [c, a]] {
+            let ends = [from.min(to), from.max(to)];
+            if spurs.binary_search_by_key(&ends, |spur| spur.0).is_ok() {
+                sides.try_push((ends, groups[at]))?;
+            }
+        }
+    }
+    sides.sort_unstable();
+    let is_lone = |&&(ends, origin): &&([u32; 2], u32)| {
+        sides.binary_search(&(ends, group_of[origin as usize])).is_err()
+    };
+    collected(spurs.iter().filter(is_lone).map(|spur| spur.0))
 }
 
 /// Returns the edges at which groups of triangles end: where one of the caller's triangles ends,

@@ -130,7 +130,7 @@ impl<'a, const D: usize> Chains<'a, D> {
     /// Returns true if a way is so short that no input bends it.
     pub fn is_short(&self, way: Way) -> bool {
         let [from, to] = way.ends.map(|end| self.view.point(end));
-        let units = self.roundings.units_of([from, to]);
+        let units = self.roundings.steps_of([from, to]);
         (0..D).all(|axis| steps(from, to, axis, units[axis]) < SHORTEST)
     }
 
@@ -167,7 +167,7 @@ impl<'a, const D: usize> Chains<'a, D> {
     fn advances(&self, way: Way, a: u32, b: u32) -> bool {
         let [from, to] = way.ends.map(|end| self.view.point(end));
         let [a, b] = [a, b].map(|vertex| self.view.point(vertex));
-        let units = self.roundings.units_of([from, to]);
+        let units = self.roundings.steps_of([from, to]);
         let steps = |axis: usize| steps(from, to, axis, units[axis]);
         let axis = (1..D).fold(0, |axis, k| if steps(k) > steps(axis) { k } else { axis });
         let advances = if to[axis] < from[axis] { b[axis] < a[axis] } else { a[axis] < b[axis] };

@@ -10,7 +10,7 @@ use std::array::from_fn;
 /// Part of the extent of the inputs along an axis that a unit from another axis may be.
 const PART: f64 = 1.0 / (1u64 << 40) as f64;
 
-/// Part of the coarsest unit that counts on every axis. Vertices are on edges and facets within
+/// Part of the coarsest unit that counts for bends on every axis. Vertices are on edges and facets within
 /// three of that unit, and 16 units are allowed.
 const SHARE: f64 = 0.25;
 
@@ -36,11 +36,24 @@ impl<const D: usize> Roundings<D> {
         Self { most: from_fn(|k| PART * high[k] - PART * low[k]) }
     }
 
-    /// Returns the units of some points, by axis.
+    /// Returns the units of some points by axis, in which bends are measured.
     pub fn units_of<'a>(&self, points: impl IntoIterator<Item = &'a [f64; D]>) -> [f64; D] {
+        self.shared_units(points, SHARE)
+    }
+
+    /// Returns the units of some points by axis, in which the ways between them are measured.
+    pub fn steps_of<'a>(&self, points: impl IntoIterator<Item = &'a [f64; D]>) -> [f64; D] {
+        self.shared_units(points, 1.0)
+    }
+
+    fn shared_units<'a>(
+        &self,
+        points: impl IntoIterator<Item = &'a [f64; D]>,
+        share: f64,
+    ) -> [f64; D] {
         let larger = |most: [f64; D], x: &[f64; D]| from_fn(|k| most[k].max(x[k].abs()));
         let units = points.into_iter().fold([0.0; D], larger).map(unit_in_last_place);
-        let coarsest = SHARE * units.iter().fold(0.0f64, |most, unit| most.max(*unit));
+        let coarsest = share * units.iter().fold(0.0f64, |most, unit| most.max(*unit));
         from_fn(|k| units[k].max(coarsest.min(self.most[k])))
     }
 }

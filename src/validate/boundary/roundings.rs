@@ -10,8 +10,8 @@ use std::array::from_fn;
 /// Part of the extent of the inputs along an axis that a unit from another axis may be.
 const PART: f64 = 1.0 / (1u64 << 40) as f64;
 
-/// Part of the coarsest unit that counts for bends on every axis. Vertices are on edges and facets within
-/// three of that unit, and 16 units are allowed.
+/// Part of the coarsest unit that counts for bends on every axis: vertices are on edges and facets
+/// within three of that unit, and 16 units are allowed.
 const SHARE: f64 = 0.25;
 
 /// Largest unit from other axes, by axis.

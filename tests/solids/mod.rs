@@ -13,6 +13,7 @@ mod folds;
 mod holes;
 mod labels;
 mod options;
+mod roundings;
 mod shapes;
 
 use netmesh::options::Options;

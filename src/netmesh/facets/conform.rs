@@ -6,6 +6,7 @@ use crate::error::Result;
 use crate::memory::{TryGrow, collected, with_capacity};
 use crate::mesh::{ArrangedFacet, Arrangement, NONE, Subsegment};
 use crate::nearest::{Bounds, bounds_of};
+use crate::netmesh::questions::exempt::unit_of;
 use crate::netmesh::state::Mesher;
 use crate::netmesh::state::facets::bent::Bent;
 use crate::netmesh::state::facets::plane::Plane;
@@ -105,8 +106,7 @@ impl Mesher<'_, '_, 3> {
 /// Returns the box of a facet's corners, with a margin for its vertices, which have roundings.
 fn wide_bounds_of<'a>(corners: impl Iterator<Item = &'a [f64; 3]>) -> Bounds {
     let [low, high] = bounds_of(corners);
-    let largest = low.iter().chain(&high).fold(0.0f64, |largest, x| largest.max(x.abs()));
-    let margin = MARGIN * (largest.next_up() - largest);
+    let margin = MARGIN * unit_of(&low).max(unit_of(&high));
     [low.map(|x| x - margin), high.map(|x| x + margin)]
 }
 

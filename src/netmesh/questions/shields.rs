@@ -283,13 +283,14 @@ impl State<3> {
         let on_arc = on_arc.map(|vertex| self.delaunay.point(vertex));
         let is_beside = |vertex: &[f64; 3]| distance(vertex, &place) < BESIDE * shield.radius;
         let is_divided = vertices.contains(&shield.center) && on_arc.clone().any(is_beside);
-        let middle = on_arc.fold([0.0; 3], |sum: [f64; 3], vertex| {
-            std::array::from_fn(|k| sum[k] + 0.5 * vertex[k])
+        let middle = is_divided.then(|| {
+            on_arc.fold([0.0; 3], |sum: [f64; 3], vertex| {
+                std::array::from_fn(|k| sum[k] + 0.5 * vertex[k])
+            })
         });
         // The middle of an arc of half a circle is the centre.
-        let has_middle = distance(o, &middle) > LEAST_WAY * shield.radius;
-        let place =
-            if is_divided && has_middle { at_radius(&middle, shield.radius) } else { place };
+        let middle = middle.filter(|middle| distance(o, middle) > LEAST_WAY * shield.radius);
+        let place = middle.map_or(place, |middle| at_radius(&middle, shield.radius));
         Some((self.subfacet_at(sector, &place)?, place))
     }
 

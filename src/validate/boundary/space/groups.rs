@@ -123,8 +123,7 @@ fn balances_of(
     let mut all = collected((0u32..).zip(triangles).map(turned))?;
     all.sort_unstable();
     for same in all.chunk_by(|a, b| a.0 == b.0) {
-        let mut area = AreaVector::zero();
-        area.add_triangle(same[0].0.map(|corner| point(inputs, corner)));
+        let area = AreaVector::of_triangle(same[0].0.map(|corner| point(inputs, corner)));
         let has_area = area.rounded().is_some();
         let sum = same.iter().map(|one| if one.2 == same[0].2 { 1 } else { -1 }).sum();
         for (at, one) in same.iter().enumerate() {
@@ -333,8 +332,7 @@ fn offset(inputs: &Inputs, triangle: [u32; 3], vertex: u32) -> f64 {
     for face in [[b, c, d], [a, d, c], [a, b, d], [a, c, b]] {
         volume.add_facet(face);
     }
-    let mut area = AreaVector::zero();
-    area.add_triangle([a, b, c]);
+    let area = AreaVector::of_triangle([a, b, c]);
     let Some((normal, exponent)) = area.rounded() else { return f64::INFINITY };
     let length = normal.iter().map(|x| x * x).sum::<f64>().sqrt();
     let (mantissa, own) = volume.rounded();
@@ -346,8 +344,7 @@ fn offset(inputs: &Inputs, triangle: [u32; 3], vertex: u32) -> f64 {
 /// Returns true if the normals of two triangles do not point to one side.
 fn is_fold(inputs: &Inputs, first: [u32; 3], second: [u32; 3]) -> bool {
     let [a, b] = [first, second].map(|triangle| {
-        let mut area = AreaVector::zero();
-        area.add_triangle(triangle.map(|corner| point(inputs, corner)));
+        let area = AreaVector::of_triangle(triangle.map(|corner| point(inputs, corner)));
         area.rounded().map_or([0.0; 3], |(vector, _)| vector)
     });
     a.iter().zip(&b).map(|(x, y)| x * y).sum::<f64>() <= 0.0

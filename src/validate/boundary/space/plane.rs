@@ -39,6 +39,12 @@ impl AreaVector {
         Self { sums: std::array::from_fn(|_| Sum::zero()) }
     }
 
+    pub fn of_triangle(corners: [&[f64; 3]; 3]) -> Self {
+        let mut area = Self::zero();
+        area.add_triangle(corners);
+        area
+    }
+
     /// Adds the edge from `a` to `b`.
     pub fn add_edge(&mut self, a: &[f64; 3], b: &[f64; 3]) {
         for (axis, sum) in self.sums.iter_mut().enumerate() {

@@ -144,8 +144,8 @@ impl Search<'_> {
                 found.left = Some(tile);
             } else if !has_own && self.slab.holds(normal, view.point(apex)) {
                 // Small triangles that stand on the facet are within the slab, too.
-                let own = normal_of(corners.map(|vertex| view.point(vertex)));
-                let cosine = own.map_or(0.0, |own| cosine(&own, normal));
+                let own = AreaVector::of_triangle(corners.map(|vertex| view.point(vertex)));
+                let cosine = own.rounded().map_or(0.0, |(own, _)| cosine(&own, normal));
                 if cosine > flattest {
                     (found.left, flattest) = (Some(tile), cosine);
                 }
@@ -153,11 +153,4 @@ impl Search<'_> {
         }
         Ok(found)
     }
-}
-
-/// Returns the direction of the exact normal of a triangle; `None` if it has no area.
-fn normal_of(corners: [&[f64; 3]; 3]) -> Option<[f64; 3]> {
-    let mut area = AreaVector::zero();
-    area.add_triangle(corners);
-    area.rounded().map(|(normal, _)| normal)
 }

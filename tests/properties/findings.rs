@@ -240,3 +240,52 @@ fn edges_of_facets_bend_through_inputs_beside_their_plane() {
     let report = validate_mesh(&mesh, 3).unwrap();
     assert_eq!((report.level, report.violations), (3, 0), "{:?}", report.first);
 }
+
+/// The sides of a cone that is 1e-12 high are plane but for roundings, so that they are one side of
+/// the hull. The certificate asked for the volume of the exact hull.
+#[test]
+fn sides_that_roundings_make_one_leave_the_volume_between_them() {
+    let points = [
+        [4.984375, 0.0, 0.0],
+        [2.4921875000000004, 4.316595371988061, 0.0],
+        [-2.492187499999999, 4.316595371988062, 0.0],
+        [-4.984375, 6.104098889500089e-16, 0.0],
+        [-2.492187500000002, -4.31659537198806, 0.0],
+        [1.5937500000000004, -2.760455974562898, 0.0],
+        [0.0, 0.0, 0.0],
+        [-0.0859375, 0.0, 1.8189894035458565e-12],
+    ];
+    let criterion = Criterion::RadiusEdge;
+    for quality_bound in [2.0, f64::INFINITY] {
+        let extent = Extent::Hull;
+        let options = Options { criterion, quality_bound, extent, ..Options::default() };
+        certify(3, points.as_flattened(), &options);
+    }
+}
+
+/// Lines that end at a vertex with a shield are 2^1420 times as long as others there: ways along
+/// them were divided by its radius, and places on its sphere were no numbers.
+#[test]
+fn lines_of_a_shield_may_have_any_length() {
+    let points = [
+        [-5.1170865907818884e250, 8.428252743585623e-306, 3.581505641715822e-273],
+        [4.180608735579564e-178, 4.1806722779836574e-178, 4.1806722779836574e-178],
+        [4.318037710294522e-178, 4.1806722779836574e-178, 3.1853175322251744e43],
+        [2.2839091047096005e-299, 1.85754e-319, 0.0],
+        [0.0, 0.0, 0.0],
+    ];
+    let options = Options {
+        criterion: Criterion::RadiusEdge,
+        quality_bound: f64::INFINITY,
+        extent: Extent::Hull,
+        max_vertices: 600,
+        seed: 124,
+        threads: 2,
+        ..Options::default()
+    };
+    let mut mesh = Mesh::new(3, points.len(), points.as_flattened(), 0).unwrap();
+    match mesh.run(&options, None) {
+        Ok(()) => assert_eq!(validate_mesh(&mesh, 3).unwrap().violations, 0),
+        Err(error) => assert_eq!(error.kind(), ErrorKind::Limit, "{error}"),
+    }
+}

@@ -366,6 +366,27 @@ fn a_hull_has_facets_of_the_caller_on_its_sides() {
     }
 }
 
+/// The ridge of a roof is no line where `coplanar` is larger than its angle: the facet is bent
+/// there, and the domain has another volume than the hull, as much as that allows.
+#[test]
+fn facets_of_the_caller_on_a_hull_may_be_bent() {
+    let mut points: Vec<Point> = (0..8)
+        .map(|at| [f64::from(2 * (at & 1)), f64::from(at >> 1 & 1), f64::from(at >> 2)])
+        .collect();
+    points.extend([[0.93, 0.0, 1.01], [1.1, 1.0, 1.01]]);
+    let hull = run(&points, &within(Extent::Hull, f64::INFINITY));
+    let mut mesh = Mesh::new(3, points.len(), points.as_flattened(), 0).unwrap();
+    mesh.set_triangles(hull.boundary.subfacets.as_flattened(), None).unwrap();
+    let angles = [0.0, 5.0].map(|coplanar| {
+        let options = Options { coplanar, max_edge: 0.3, ..within(Extent::Hull, 1.5) };
+        mesh.run(&options, None).unwrap();
+        assert_holds(&mesh);
+        volume(mesh.triangulation().unwrap())
+    });
+    assert!(is_close(angles[0], volume(&hull)), "{angles:?}");
+    assert!((1e-9..0.02).contains(&(angles[0] - angles[1]).abs()), "{angles:?}");
+}
+
 #[test]
 fn walls_and_segments_end_at_the_boundary() {
     let mut solid = Solid { points: on_a_cube(30, 8), ..Solid::default() };

@@ -57,9 +57,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
             let is_own = |page: &u32| state.facets.get(*page).facet == on_arc.facet;
             let page = state.facets.pages(on_arc.subsegment).find(is_own);
             let at = page.and_then(|page| state.subfacet_at(page, &on_arc.x));
+            let Some(subfacet) = at else { continue };
             let near = state.delaunay.complex().incident(shield.center);
-            let start = state.delaunay.locate(near, &on_arc.x);
-            if let (Some(subfacet), Some(start)) = (at, start) {
+            if let Some(start) = state.delaunay.locate(near, &on_arc.x) {
                 state.delaunay.find_cavity(start, &on_arc.x, cavity)?;
                 self.split_facet_at(subfacet, &on_arc.x, cavity)?;
             }

@@ -68,6 +68,14 @@ struct Sector {
     axes: [[f64; 3]; 2],
 }
 
+/// Returns the way between two points, divided by a power of two: its length is some units, so that
+/// products of several ways neither overflow nor vanish.
+fn scaled_way(from: &[f64; 3], to: &[f64; 3]) -> [f64; 3] {
+    let way: [f64; 3] = std::array::from_fn(|k| 0.5 * to[k] - 0.5 * from[k]);
+    let power = power_below(way.iter().fold(0.0, |most: f64, x| most.max(x.abs())));
+    way.map(|x| x / power)
+}
+
 impl State<3> {
     /// Returns the shield that an end of a line needs before a subsegment there is split.
     pub(in crate::netmesh) fn needed_shield(
@@ -197,10 +205,7 @@ impl State<3> {
             let own = self.facets.get(subfacet);
             let at = own.vertices.iter().position(|&vertex| vertex == shield.center)?;
             let [next, last] = [(at + 1) % 3, (at + 2) % 3];
-            let ways = [next, last].map(|at| -> [f64; 3] {
-                let x = self.delaunay.point(own.vertices[at]);
-                std::array::from_fn(|k| (x[k] - o[k]) / shield.radius)
-            });
+            let ways = [next, last].map(|at| scaled_way(o, self.delaunay.point(own.vertices[at])));
             // An edge has the number of the vertex opposite.
             Some((ways, own.subsegments[last], own.subsegments[next], own.neighbors[next]))
         };
@@ -294,8 +299,12 @@ impl State<3> {
         Some((self.subfacet_at(sector, &place)?, place))
     }
 
-    /// Returns the subfacet that a point of the sheet is in, by the way from one near it.
+    /// Returns the subfacet that a point of the sheet is in, by the way from one near it. A place
+    /// for which doubles have no numbers is in none.
     pub(in crate::netmesh) fn subfacet_at(&self, near: u32, x: &[f64; 3]) -> Option<u32> {
+        if x.iter().any(|x| !x.is_finite()) {
+            return None;
+        }
         match self.walk_in_sheet(near, x) {
             OnSheet::At { subfacet, .. } => Some(subfacet),
             OnSheet::Beyond(_) => None,

@@ -5,7 +5,9 @@
 //!   hull are plane between edges that are subsegments, as facets are.
 //! - Level 3: all inputs are within, and the volume is that of the box, or of the exact hull of the
 //!   inputs on the boundary, up to rounding: the vertices of the boundary are inputs or in plane
-//!   parts between these, so that nothing is beyond the hull; and so nothing of it is missing.
+//!   parts between these, so that nothing is beyond the hull; and so nothing of it is missing. Parts
+//!   of a hull that count as plane though they are bent, sides by no more than rounding or facets as
+//!   the caller allows, may leave the volume between two planes about their inputs.
 
 use super::super::chains::BENT;
 use super::super::exact::unit_in_last_place;
@@ -85,6 +87,9 @@ pub(super) fn check_volume(
         sum = magnitude;
     }
     let mut bound = bounds.rounding();
+    if view.mesh.parameters.extent == Extent::Hull {
+        shell.add_bends(inputs, view, faces, &mut bound)?;
+    }
     bound.add(&sum, true);
     findings.check(bound.sign() != Ordering::Less, || {
         let message =
@@ -226,11 +231,8 @@ impl Shell {
     fn check_parts(&self, ways: &Ways<'_>, findings: &mut Findings) -> AllocResult<()> {
         let (view, faces) = (ways.view, ways.faces);
         let is_own =
-            |&&subfacet: &&u32| view.mesh.boundary.subfacet_parents[subfacet as usize] == NONE;
-        let own = self.subfacets.iter().filter(is_own);
-        let mut order = collected(own.map(|&at| (faces.facets[at as usize], at)))?;
-        order.sort_unstable();
-        for part in order.chunk_by(|a, b| a.0 == b.0) {
+            |&subfacet: &u32| view.mesh.boundary.subfacet_parents[subfacet as usize] == NONE;
+        for part in self.by_facets(faces, is_own)?.chunk_by(|a, b| a.0 == b.0) {
             let triangles = part.iter().map(|&(_, at)| self.outwards(view, faces, at));
             let triangles: Vec<[u32; 3]> = collected(triangles)?;
             let mut area = AreaVector::zero();
@@ -257,6 +259,57 @@ impl Shell {
             plane::check_side(&facet, ways, findings);
             tiling::check_orientations(&facet, view, &triangles, findings)?;
             plane::check(&facet, vertices.into_iter(), ways, findings);
+        }
+        Ok(())
+    }
+
+    /// Returns some subfacets of the boundary with their facets, by these.
+    fn by_facets(
+        &self,
+        faces: &Faces,
+        is_asked: impl Fn(&u32) -> bool,
+    ) -> AllocResult<Vec<(u32, u32)>> {
+        let asked = self.subfacets.iter().copied().filter(is_asked);
+        let mut order = collected(asked.map(|at| (faces.facets[at as usize], at)))?;
+        order.sort_unstable();
+        Ok(order)
+    }
+
+    /// Adds six times a volume that is at least that between each facet or part of the boundary and
+    /// any other surface between its inputs: they are between two parallel planes.
+    fn add_bends(
+        &self,
+        inputs: &Inputs,
+        view: View<'_, 3>,
+        faces: &Faces,
+        bound: &mut Sum,
+    ) -> AllocResult<()> {
+        for part in self.by_facets(faces, |_| true)?.chunk_by(|a, b| a.0 == b.0) {
+            let mut area = AreaVector::zero();
+            let mut corners = Vec::new();
+            for &(_, at) in part {
+                let vertices = self.outwards(view, faces, at);
+                area.add_triangle(vertices.map(|vertex| view.point(vertex)));
+                let own = vertices.into_iter().filter(|&at| (at as usize) < inputs.distinct());
+                own.map(|vertex| view.point(vertex)).try_for_each(|x| corners.try_push(x))?;
+            }
+            let Some((normal, _)) = area.rounded() else { continue };
+            let thickness = plane::thickness(&normal, corners.iter().copied());
+            let axis = plane::largest_axis(&normal);
+            let half_width = |step: usize| {
+                let along = || {
+                    part.iter().flat_map(|&(_, at)| {
+                        let vertices = view.mesh.boundary.subfacets[at as usize];
+                        vertices.map(|vertex| 0.5 * view.point(vertex)[(axis + step) % 3])
+                    })
+                };
+                (along().fold(f64::MIN, f64::max) - along().fold(f64::MAX, f64::min)).next_up()
+            };
+            // The largest component of the normal is at least 1: along its axis, too, the planes
+            // are no farther from each other.
+            for _ in 0..24 {
+                bound.add_product(&[thickness, half_width(1), half_width(2)]);
+            }
         }
         Ok(())
     }

@@ -132,6 +132,18 @@ impl Slab {
     }
 }
 
+/// Returns a number that is not less than the difference of the largest and the least height of
+/// points along a normal.
+pub(super) fn thickness<'a>(
+    normal: &[f64; 3],
+    points: impl Iterator<Item = &'a [f64; 3]> + Clone,
+) -> f64 {
+    let Slab { low, mut high } = Slab::of(normal, points);
+    high.add(&low, true);
+    let (mantissa, exponent) = high.rounded();
+    scale(mantissa, exponent).next_up().min(f64::MAX)
+}
+
 /// Checks that the inputs of a side of a hull are in a plane: up to rounding, and up to the bends
 /// between triangles that count as none.
 pub(super) fn check_side(facet: &Facet, ways: &Ways<'_>, findings: &mut Findings) {

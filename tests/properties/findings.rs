@@ -289,3 +289,40 @@ fn lines_of_a_shield_may_have_any_length() {
         Err(error) => assert_eq!(error.kind(), ErrorKind::Limit, "{error}"),
     }
 }
+
+/// A side of the hull goes through an input that is four units beside it, at the end of a strip
+/// that is 40 times narrower than the side: its mean normal is turned by as much.
+#[test]
+fn strips_that_roundings_bend_are_of_their_side() {
+    let units: [[u32; 3]; 14] = [
+        [128, 50_331_648, 0],
+        [196_608, 33_554_432, 256],
+        [229_376, 6, 49_152],
+        [0, 917_504, 10_240],
+        [117_440_512, 1024, 64],
+        [1792, 805_306_368, 0],
+        [768, 0, 2],
+        [24_576, 49_152, 4096],
+        [1536, 1_048_576, 0],
+        [20_480, 0, 160],
+        [16_384, 67_108_864, 2048],
+        [0, 6, 0],
+        [268_435_456, 4096, 1024],
+        [458_752, 16, 2_097_152],
+    ];
+    let points = units.map(|x| x.map(|steps| 1.0 + f64::from(steps) * f64::EPSILON));
+    let mut mesh = Mesh::new(3, points.len(), points.as_flattened(), 0).unwrap();
+    mesh.set_triangles(&[5, 4, 13, 4, 13, 2, 13, 2, 8], None).unwrap();
+    mesh.set_segments(&[10, 8], None).unwrap();
+    let options = Options {
+        criterion: Criterion::RadiusEdge,
+        quality_bound: f64::INFINITY,
+        extent: Extent::Hull,
+        coplanar: 5.0,
+        seed: 238,
+        ..Options::default()
+    };
+    mesh.run(&options, None).unwrap();
+    let report = validate_mesh(&mesh, 3).unwrap();
+    assert_eq!((report.level, report.violations), (3, 0), "{:?}", report.first);
+}

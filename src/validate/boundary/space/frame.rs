@@ -5,9 +5,9 @@
 //!   hull are plane between edges that are subsegments, as facets are.
 //! - Level 3: all inputs are within, and the volume is that of the box, or of the exact hull of the
 //!   inputs on the boundary, up to rounding: the vertices of the boundary are inputs or in plane
-//!   parts between these, so that nothing is beyond the hull; and so nothing of it is missing. Parts
-//!   of a hull that count as plane though they are bent, sides by no more than rounding or facets as
-//!   the caller allows, may leave the volume between two planes about their inputs.
+//!   parts between these, so that nothing is beyond the hull; and so nothing of it is missing.
+//!   Parts of a hull that count as plane though they are bent, sides by no more than rounding or
+//!   facets as the caller allows, may leave the volume between two planes about their inputs.
 
 use super::super::chains::BENT;
 use super::super::exact::unit_in_last_place;
@@ -245,13 +245,14 @@ impl Shell {
             vertices.sort_unstable();
             vertices.dedup();
             let corners = collected(vertices.iter().copied().filter(|&at| ways.is_input(at)))?;
-            let vector = area.rounded();
-            findings.check(vector.is_some() && !corners.is_empty(), || {
+            let own = corners.iter().map(|&corner| ways.input(corner));
+            let normal = plane::side_normal(&area, own);
+            findings.check(normal.is_some() && !corners.is_empty(), || {
                 let message = "a part of the hull between subsegments is no side: it has no \
                                plane, or no input";
                 Violation::new(ViolationKind::FacetPlane, message).vertex(vertices[0] as usize)
             });
-            let Some((normal, _)) = vector else { continue };
+            let Some(normal) = normal else { continue };
             let projection = Projection::along(&normal);
             let (rim, within, beside, points) = Default::default();
             let parent = NONE;
@@ -293,7 +294,7 @@ impl Shell {
                 let own = vertices.into_iter().filter(|&at| (at as usize) < inputs.distinct());
                 own.map(|vertex| view.point(vertex)).try_for_each(|x| corners.try_push(x))?;
             }
-            let Some((normal, _)) = area.rounded() else { continue };
+            let Some(normal) = plane::side_normal(&area, corners.iter().copied()) else { continue };
             let thickness = plane::thickness(&normal, corners.iter().copied());
             let axis = plane::largest_axis(&normal);
             let half_width = |step: usize| {

@@ -135,7 +135,10 @@ impl Facet {
 }
 
 /// Returns true if a vector with an exponent of its own is longer than another.
-fn is_longer(&(vector, exponent): &([f64; 3], i32), &(other, own): &([f64; 3], i32)) -> bool {
+pub(super) fn is_longer(
+    &(vector, exponent): &([f64; 3], i32),
+    &(other, own): &([f64; 3], i32),
+) -> bool {
     let square = |vector: [f64; 3]| vector.iter().map(|x| x * x).sum::<f64>();
     square(vector) > scale(square(other), 2 * (own - exponent))
 }

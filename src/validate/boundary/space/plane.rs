@@ -17,11 +17,11 @@
 use super::super::chains::BENT;
 use super::super::exact::unit_in_last_place;
 use super::super::sum::Sum;
-use super::given::Facet;
+use super::given::{Facet, is_longer};
 use super::tiling::name_of;
 use super::ways::Ways;
 use crate::error::message;
-use crate::quality::length::{exponent_of, scale};
+use crate::quality::length::{Length, exponent_of, scale};
 use crate::validate::report::{Findings, Violation, ViolationKind};
 use std::cmp::Ordering;
 
@@ -132,6 +132,27 @@ impl Slab {
     }
 }
 
+/// Returns the normal of a side of a hull: the mean over its triangles, which is its area vector,
+/// or where its corners are in no plane with that, that of a large triangle between them. A narrow
+/// strip that roundings bend turns the mean by more than they are of the side's extent.
+pub(super) fn side_normal<'a>(
+    area: &AreaVector,
+    corners: impl Iterator<Item = &'a [f64; 3]> + Clone,
+) -> Option<[f64; 3]> {
+    let (mean, _) = area.rounded()?;
+    if are_in_plane(&mean, corners.clone()) {
+        return Some(mean);
+    }
+    let farthest = |from: &[f64; 3]| corners.clone().max_by_key(|x| Length::between(from, x));
+    let Some(a) = corners.clone().next().and_then(farthest) else { return Some(mean) };
+    let Some(b) = farthest(a) else { return Some(mean) };
+    let triangles = corners.filter_map(|c| AreaVector::of_triangle([a, b, c]).rounded());
+    let largest = triangles.reduce(|best, own| if is_longer(&own, &best) { own } else { best });
+    let Some((normal, _)) = largest else { return Some(mean) };
+    let is_along = (0..3).map(|k| normal[k] * mean[k]).sum::<f64>() > 0.0;
+    Some(if is_along { normal } else { normal.map(|x| -x) })
+}
+
 /// Returns a number that is not less than the difference of the largest and the least height of
 /// points along a normal.
 pub(super) fn thickness<'a>(
@@ -147,9 +168,20 @@ pub(super) fn thickness<'a>(
 /// Checks that the inputs of a side of a hull are in a plane: up to rounding, and up to the bends
 /// between triangles that count as none.
 pub(super) fn check_side(facet: &Facet, ways: &Ways<'_>, findings: &mut Findings) {
-    const BENDS: f64 = 1e-9;
     let points = facet.corners.iter().map(|&corner| ways.input(corner));
-    let Slab { low, high } = Slab::of(&facet.normal, points.clone());
+    findings.check(are_in_plane(&facet.normal, points), || {
+        let corner = facet.corners.first().copied().unwrap_or(0);
+        let message = message!(
+            "a part of the hull between subsegments, at vertex {corner}, is not in one plane"
+        );
+        Violation::new(ViolationKind::FacetPlane, message).vertex(corner as usize)
+    });
+}
+
+/// Returns true if points are in a plane with this normal, up to what counts as none for a side.
+fn are_in_plane<'a>(normal: &[f64; 3], points: impl Iterator<Item = &'a [f64; 3]> + Clone) -> bool {
+    const BENDS: f64 = 1e-9;
+    let Slab { low, high } = Slab::of(normal, points.clone());
     let mut excess = high;
     excess.add(&low, true);
     let ranges = [0, 1, 2].map(|axis| {
@@ -161,19 +193,13 @@ pub(super) fn check_side(facet: &Facet, ways: &Ways<'_>, findings: &mut Findings
     let half = |[least, most]: &[f64; 2]| 0.5 * most - 0.5 * least;
     let longest = ranges.iter().max_by(|a, b| half(a).total_cmp(&half(b)));
     let [first, last] = longest.copied().unwrap_or_default();
-    for (component, [least, most]) in facet.normal.iter().zip(ranges) {
+    for (component, [least, most]) in normal.iter().zip(ranges) {
         let unit = unit_in_last_place(least.abs().max(most.abs()));
         excess.add_product(&[-component.abs(), 4.0 * BENT, unit]);
         excess.add_product(&[-component.abs(), BENDS, last]);
         excess.add_product(&[component.abs(), BENDS, first]);
     }
-    findings.check(excess.sign() != Ordering::Greater, || {
-        let corner = facet.corners.first().copied().unwrap_or(0);
-        let message = message!(
-            "a part of the hull between subsegments, at vertex {corner}, is not in one plane"
-        );
-        Violation::new(ViolationKind::FacetPlane, message).vertex(corner as usize)
-    });
+    excess.sign() != Ordering::Greater
 }
 
 /// Returns true if a height is larger than that of a point.

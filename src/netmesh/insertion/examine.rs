@@ -163,9 +163,15 @@ impl<const D: usize> State<D> {
         self.queue_by(simplex, length)
     }
 
-    /// Puts a live simplex on REFINELIST by a `length` that is known, unless it is exempt.
+    /// Puts a live simplex on REFINELIST by a `length` that is known, unless it is exempt. In space
+    /// most of those that an insertion makes are gone before their turn comes; of these only
+    /// CLEAN asks whether they are forced, which takes long.
     fn queue_by(&mut self, simplex: SimplexId, length: f64) -> AllocResult<()> {
-        match self.is_exempt(simplex) {
+        let is_exempt = match self.as_space() {
+            Some(_) => self.is_known_outside(simplex),
+            None => self.is_exempt(simplex),
+        };
+        match is_exempt {
             true => Ok(()),
             false => self.refine_list.push(simplex, length),
         }

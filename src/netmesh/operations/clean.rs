@@ -16,7 +16,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             if !self.state.delaunay.complex().is_live(simplex) {
                 continue;
             }
-            if self.state.is_left_alone(simplex)? {
+            if self.state.is_exempt(simplex) || self.state.is_outside(simplex)? {
                 continue;
             }
             if self.state.is_bad(simplex) {

@@ -8,6 +8,7 @@
 use crate::complex::{SimplexId, VertexId};
 use crate::error::Result;
 use crate::netmesh::state::State;
+use crate::netmesh::state::segments::SegmentState;
 use crate::numerics::{distance, shortest_distance};
 
 /// Two distances from an end are those of one shell if they differ by no more than this, relative
@@ -33,15 +34,14 @@ impl<const D: usize> State<D> {
 
     /// Returns true if a live simplex is known to be outside, or forced.
     pub(in crate::netmesh) fn is_exempt(&self, simplex: SimplexId) -> bool {
-        let segments = &self.segments;
-        if !segments.is_active() {
-            return false;
-        }
-        let is_outside = match segments.regions.of(simplex) {
-            Some(region) => !segments.regions.is_inside[region as usize],
-            None => false,
-        };
-        is_outside || self.is_forced(simplex)
+        self.segments.is_active() && (self.is_known_outside(simplex) || self.is_forced(simplex))
+    }
+
+    /// Returns true if a live simplex is known to be outside.
+    pub(in crate::netmesh) fn is_known_outside(&self, simplex: SimplexId) -> bool {
+        let SegmentState { regions, .. } = &self.segments;
+        self.segments.is_active()
+            && regions.of(simplex).is_some_and(|region| !regions.is_inside[region as usize])
     }
 
     /// Returns true if a live simplex is outside, or forced. Finds the regions that are not known.

@@ -118,7 +118,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn refine_scanned(&mut self, scan: Scan, cavity: &mut Cavity) -> Result<bool> {
         for simplex in self.suspects(scan)?.into_iter().flatten() {
             self.watch.poll_after(2)?;
-            self.state.examine_suspect(simplex)?;
+            if !self.state.is_exempt(simplex) {
+                self.state.examine_suspect(simplex)?;
+            }
         }
         let was_bad = !self.state.refine_list.is_empty();
         self.clean(cavity)?;

@@ -326,3 +326,26 @@ fn strips_that_roundings_bend_are_of_their_side() {
     let report = validate_mesh(&mesh, 3).unwrap();
     assert_eq!((report.level, report.violations), (3, 0), "{:?}", report.first);
 }
+
+/// The tip of a flat cone, whose sides are one facet, touches a side of the box: the certificate
+/// knew no angle at a vertex without lines.
+#[test]
+fn tips_of_bent_facets_force_simplices() {
+    let mut points: Vec<[f64; 3]> = (0..6)
+        .map(|side| {
+            let (sine, cosine) = (f64::from(side) * std::f64::consts::FRAC_PI_3).sin_cos();
+            [cosine, sine, 0.0]
+        })
+        .collect();
+    points.extend([[0.0; 3], [0.09375, 0.0, 2f64.powi(-9)]]);
+    let side = |at: u32| [at, (at + 1) % 6, 7, (at + 1) % 6, at, 6];
+    let triangles: Vec<u32> = (0..6).flat_map(side).collect();
+    let mut mesh = Mesh::new(3, points.len(), points.as_flattened(), 0).unwrap();
+    mesh.set_triangles(&triangles, None).unwrap();
+    let (criterion, extent, coplanar) = (Criterion::RadiusEdge, Extent::Box, 5.0);
+    let options = Options { criterion, extent, coplanar, quality_bound: 2.0, ..Options::default() };
+    mesh.run(&options, None).unwrap();
+    assert!(!mesh.triangulation().unwrap().boundary.forced.is_empty());
+    let report = validate_mesh(&mesh, 3).unwrap();
+    assert_eq!((report.level, report.violations), (3, 0), "{:?}", report.first);
+}

@@ -123,10 +123,13 @@ impl<'a> Features<'a> {
     }
 
     /// Adds the pairs of lines, and of lines and facets, that meet at a vertex below 60 degrees,
-    /// and with a line the facets that end at it.
+    /// and with a line the facets that end at it. Where no line is, facets that bend may meet.
     fn add_angles_at(&mut self, vertex: u32) -> AllocResult<()> {
         let view = self.view;
         let subsegments = self.faces.at.of(vertex as usize);
+        if subsegments.is_empty() {
+            return self.add_tips_at(vertex);
+        }
         for (at, &one) in subsegments.iter().enumerate() {
             let end = self.far_end(one, vertex);
             let own = self.direction(vertex, end);
@@ -151,6 +154,26 @@ impl<'a> Features<'a> {
                     for page in self.faces.beside(view, [vertex, end]) {
                         self.add(Feature::Facet(self.facet(page)), Feature::Facet(facet))?;
                     }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Adds the pairs of facets that have a vertex between their lines and meet there below 60
+    /// degrees: the tip of one that is bent is on the other.
+    fn add_tips_at(&mut self, vertex: u32) -> AllocResult<()> {
+        let sector = |&subfacet: &u32| {
+            let own = self.view.mesh.boundary.subfacets[subfacet as usize];
+            let [_, a, b] = from_vertex(own, vertex);
+            (self.facet(subfacet), [self.direction(vertex, a), self.direction(vertex, b)])
+        };
+        let at = self.faces.subfacets_at.of(vertex as usize);
+        let sectors: Vec<(u32, [Vector; 2])> = collected(at.iter().map(sector))?;
+        for (at, (one, first)) in sectors.iter().enumerate() {
+            for (other, second) in sectors[at + 1..].iter().filter(|(other, _)| other != one) {
+                if first.iter().any(|way| largest_cosine(way, second) > SMALL_ANGLE) {
+                    self.add(Feature::Facet(*one), Feature::Facet(*other))?;
                 }
             }
         }

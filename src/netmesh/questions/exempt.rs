@@ -8,7 +8,6 @@
 use crate::complex::{SimplexId, VertexId};
 use crate::error::Result;
 use crate::netmesh::state::State;
-use crate::netmesh::state::segments::SegmentState;
 use crate::numerics::{distance, shortest_distance};
 
 /// Two distances from an end are those of one shell if they differ by no more than this, relative
@@ -39,7 +38,7 @@ impl<const D: usize> State<D> {
 
     /// Returns true if a live simplex is known to be outside.
     pub(in crate::netmesh) fn is_known_outside(&self, simplex: SimplexId) -> bool {
-        let SegmentState { regions, .. } = &self.segments;
+        let regions = &self.segments.regions;
         self.segments.is_active()
             && regions.of(simplex).is_some_and(|region| !regions.is_inside[region as usize])
     }

@@ -118,6 +118,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn refine_scanned(&mut self, scan: Scan, cavity: &mut Cavity) -> Result<bool> {
         for simplex in self.suspects(scan)?.into_iter().flatten() {
             self.watch.poll_after(2)?;
+            // In space what is forced would be queued, and every scan would find it again.
             if !self.state.is_exempt(simplex) {
                 self.state.examine_suspect(simplex)?;
             }

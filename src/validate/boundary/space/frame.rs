@@ -306,8 +306,8 @@ impl Shell {
                 };
                 (along().fold(f64::MIN, f64::max) - along().fold(f64::MAX, f64::min)).next_up()
             };
-            // The largest component of the normal is at least 1: along its axis, too, the planes
-            // are no farther from each other.
+            // Six times, with half the widths. The largest component of the normal is at least 1:
+            // along its axis, too, the planes are no farther from each other.
             for _ in 0..24 {
                 bound.add_product(&[thickness, half_width(1), half_width(2)]);
             }

@@ -33,6 +33,11 @@ impl Sides {
     pub fn groups(&self) -> impl Iterator<Item = &[Side]> {
         self.0.chunk_by(|a, b| a.ends == b.ends)
     }
+
+    /// Returns the edges that one of the triangles has alone; sorted.
+    pub fn rim(&self) -> impl Iterator<Item = [u32; 2]> {
+        self.groups().filter(|group| group.len() == 1).map(|one| one[0].ends)
+    }
 }
 
 impl Side {

@@ -43,6 +43,8 @@ pub(super) struct Chains<'a, const D: usize> {
     path: Vec<u32>,
     waiting: Vec<u32>,
     roundings: Roundings<D>,
+    /// Vertex -> true if no way bends through it; vertices beyond are not such.
+    is_firm: Vec<bool>,
 }
 
 /// A segment between two vertices, or with [`NONE`] a side of the extent, which has all
@@ -94,8 +96,14 @@ impl<'a, const D: usize> Chains<'a, D> {
     pub fn new(view: View<'a, D>, at: &'a Lists) -> AllocResult<Self> {
         let reached = filled(view.vertex_count(), (NONE, NONE))?;
         let (path, waiting) = Default::default();
-        let roundings = Roundings::of_axes();
-        Ok(Self { view, at, reached, searches: 0, path, waiting, roundings })
+        let (roundings, is_firm) = (Roundings::of_axes(), Vec::new());
+        Ok(Self { view, at, reached, searches: 0, path, waiting, roundings, is_firm })
+    }
+
+    /// Takes vertices for on a way only where they are exactly.
+    pub fn with_firm(mut self, is_firm: Vec<bool>) -> Self {
+        self.is_firm = is_firm;
+        self
     }
 
     /// Takes units of other axes for roundings, too.
@@ -263,7 +271,9 @@ impl<'a, const D: usize> Chains<'a, D> {
     pub fn is_near(&self, way: Way, vertex: u32, nearness: Nearness) -> AllocResult<bool> {
         let [from, to] = way.ends.map(|end| self.view.point(end));
         let p = self.view.point(vertex);
+        let is_firm = self.is_firm.get(vertex as usize).copied().unwrap_or(false);
         let widths = match nearness {
+            _ if is_firm => [0.0; D],
             Nearness::Exact(inputs) if (vertex as usize) < inputs => [0.0; D],
             Nearness::Exact(_) | Nearness::Rounded => p.map(unit_in_last_place),
             Nearness::Bent => self.roundings.units_of([from, to]).map(|unit| 2.0 * BENT * unit),

@@ -35,7 +35,7 @@ mod walls;
 use super::report::Findings;
 use crate::memory::AllocResult;
 use crate::mesh::{Boundary, Facets, Inputs, Region, Segments, Triangulation};
-use crate::options::Extent;
+use crate::options::{Crossings, Extent};
 use crate::quality::view::View;
 use anchors::Anchors;
 use edges::Edges;
@@ -105,17 +105,18 @@ pub(super) fn check_arrays<const D: usize>(
     }
 }
 
-/// Checks level 2 of a mesh for which level 1 holds.
+/// Checks level 2 of a mesh for which level 1 holds. Returns if its crossings are read as split.
 pub(super) fn check_geometry<const D: usize>(
     inputs: &Inputs,
     outline: Option<Outline<'_>>,
     whole: View<'_, D>,
     findings: &mut Findings,
-) -> AllocResult<()> {
+) -> AllocResult<Crossings> {
     if D == 3 {
         return space::check_geometry(inputs, outline, View { mesh: whole.mesh }, findings);
     }
-    let Some(view) = in_the_plane(outline, whole) else { return Ok(()) };
+    let asked = whole.mesh.parameters.crossings;
+    let Some(view) = in_the_plane(outline, whole) else { return Ok(asked) };
     let edges = Edges::new(view)?;
     edges::check(view, &edges, findings)?;
     if let Some(Outline { segments, .. }) = outline {
@@ -123,15 +124,16 @@ pub(super) fn check_geometry<const D: usize>(
     }
     frame::check(inputs, view, &edges, findings)?;
     let anchors = Anchors::new(view, inputs.distinct(), &edges);
-    lines::check(view, &Lines::new(view.mesh, &anchors)?, findings)
+    lines::check(view, &Lines::new(view.mesh, &anchors)?, findings)?;
+    Ok(asked)
 }
 
-/// Checks level 3 of a mesh for which level 1 holds.
+/// Checks level 3 of a mesh for which level 1 holds, and whose crossings are read as level 2 says.
 pub(super) fn check_regions<const D: usize>(
     inputs: &Inputs,
     outline: Option<Outline<'_>>,
     whole: View<'_, D>,
-    promised: Promised<'_>,
+    (crossings, promised): (Crossings, Promised<'_>),
     findings: &mut Findings,
 ) -> AllocResult<()> {
     if D == 3 {
@@ -139,7 +141,7 @@ pub(super) fn check_regions<const D: usize>(
             inputs,
             outline,
             View { mesh: whole.mesh },
-            promised,
+            (crossings, promised),
             findings,
         );
     }

@@ -137,7 +137,6 @@ fn ends_at_its_edges(
 ) -> Result<bool> {
     let triangles = collected(own.iter().filter_map(Piece::triangle))?;
     let sides = Sides::of_triangles(&triangles, poll)?;
-    let rim = collected(sides.groups().filter(|group| group.len() == 1).map(|one| one[0].ends))?;
     let mut expected: Vec<[u32; 2]> = Vec::new();
     let vertex = |input: u32| task.inputs.vertices()[input as usize];
     for own in task.facets.loops(facet as usize).filter(|own| own.len() > 2) {
@@ -151,5 +150,5 @@ fn ends_at_its_edges(
     expected.sort_unstable();
     // Edges along which loops run an even number of times bound nothing.
     let odd = expected.chunk_by(|a, b| a == b).filter(|same| same.len() % 2 == 1);
-    Ok(odd.map(|same| same[0]).eq(rim))
+    Ok(odd.map(|same| same[0]).eq(sides.rim()))
 }

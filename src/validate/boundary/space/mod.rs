@@ -35,36 +35,65 @@ pub(super) use faces::walls;
 use super::{Outline, Promised, areas, interior, regions};
 use crate::memory::{AllocResult, collected, filled};
 use crate::mesh::{Facets, Inputs, NONE};
+use crate::options::Crossings;
 use crate::quality::view::View;
 use crate::validate::report::Findings;
 use faces::Faces;
 use given::Facet;
 use ways::Ways;
 
-/// Checks level 2 of a mesh in space for which level 1 holds.
+/// Checks level 2 of a mesh in space for which level 1 holds, and returns how it is read.
+///
+/// If crossings are split, what is nearer than roundings may have become one, or not: a plate of
+/// some units in the last place may stay as it is. So the mesh is first read as one in which
+/// nothing was split. Nothing is to be excused by roundings then, and if all holds no more is to
+/// ask.
 pub(super) fn check_geometry(
     inputs: &Inputs,
     outline: Option<Outline<'_>>,
     view: View<'_, 3>,
     findings: &mut Findings,
-) -> AllocResult<()> {
+) -> AllocResult<Crossings> {
+    let asked = view.mesh.parameters.crossings;
     if !has_boundary(outline, view) {
-        return Ok(());
+        return Ok(asked);
     }
     let faces = Faces::new(view)?;
     faces::check(view, &faces, findings)?;
-    let mut ways = Ways::new(inputs, view, &faces)?;
-    let Some(Outline { segments, facets, .. }) = outline else {
-        tiling::check_rims(view, &faces, findings)?;
-        return frame::check(&mut ways, findings);
-    };
-    ways.check_segments(segments, findings)?;
-    each_facet(facets, &mut ways, findings, |facet, _, ways, findings| {
-        tiling::check(facet, ways, findings)
-    })?;
-    frame::check(&mut ways, findings)?;
-    ways.check_owners(findings);
-    Ok(())
+    if let (Some(_), Crossings::Split) = (outline, asked) {
+        let as_given = check_reading(inputs, outline, view, &faces, Crossings::Refuse)?;
+        if as_given.clean() {
+            findings.merge(as_given);
+            return Ok(Crossings::Refuse);
+        }
+    }
+    findings.merge(check_reading(inputs, outline, view, &faces, asked)?);
+    Ok(asked)
+}
+
+/// Returns the findings of the rules for a mesh that is read as one whose crossings were split or
+/// refused.
+fn check_reading(
+    inputs: &Inputs,
+    outline: Option<Outline<'_>>,
+    view: View<'_, 3>,
+    faces: &Faces,
+    crossings: Crossings,
+) -> AllocResult<Findings> {
+    let mut findings = Findings::default();
+    let mut ways = Ways::new(inputs, outline, view, faces, crossings)?;
+    if let Some(Outline { segments, facets, .. }) = outline {
+        ways.check_segments(segments, &mut findings)?;
+        each_facet(facets, &mut ways, &mut findings, |facet, _, ways, findings| {
+            tiling::check(facet, ways, findings)
+        })?;
+        frame::check(&mut ways, &mut findings)?;
+        ways.check_owners(&mut findings);
+    } else {
+        tiling::check_rims(view, faces, &mut findings)?;
+        frame::check(&mut ways, &mut findings)?;
+    }
+    Ok(findings)
 }
 
 /// Calls `visit` with each facet between inputs, and by how much the winding number grows behind
@@ -93,12 +122,13 @@ fn each_facet(
 /// share it.
 fn steps(
     inputs: &Inputs,
-    facets: &Facets,
+    outline: Outline<'_>,
     view: View<'_, 3>,
     faces: &Faces,
+    crossings: Crossings,
 ) -> AllocResult<Vec<i64>> {
     let boundary = &view.mesh.boundary;
-    let mut ways = Ways::new(inputs, view, faces)?;
+    let mut ways = Ways::new(inputs, Some(outline), view, faces, crossings)?;
     if !ways.splits_crossings() {
         return collected(
             boundary.subfacet_parents.iter().map(|&parent| i64::from(parent != NONE)),
@@ -107,7 +137,7 @@ fn steps(
     let mut steps = filled(boundary.subfacets.len(), 0)?;
     // Level 2 has said what is to say.
     let mut known = Findings::default();
-    each_facet(facets, &mut ways, &mut known, |facet, balance, ways, known| {
+    each_facet(outline.facets, &mut ways, &mut known, |facet, balance, ways, known| {
         let (rim, _) = tiling::expected_rim(facet, ways, known)?;
         for tile in tiles::tiles(facet, &rim, ways)? {
             let step = tile.times * balance;
@@ -118,12 +148,13 @@ fn steps(
     Ok(steps)
 }
 
-/// Checks level 3 of a mesh in space for which level 1 holds.
+/// Checks level 3 of a mesh in space for which level 1 holds, and which is read with its crossings
+/// split or refused.
 pub(super) fn check_regions(
     inputs: &Inputs,
     outline: Option<Outline<'_>>,
     view: View<'_, 3>,
-    promised: Promised<'_>,
+    (crossings, promised): (Crossings, Promised<'_>),
     findings: &mut Findings,
 ) -> AllocResult<()> {
     if !has_boundary(outline, view) {
@@ -133,8 +164,8 @@ pub(super) fn check_regions(
     let faces = Faces::new(view)?;
     if !boundary.simplex_regions.is_empty() {
         let steps = match outline {
-            Some(Outline { facets, .. }) if interior::is_asked(view) => {
-                Some(steps(inputs, facets, view, &faces)?)
+            Some(outline) if interior::is_asked(view) => {
+                Some(steps(inputs, outline, view, &faces, crossings)?)
             }
             _ => None,
         };

@@ -4,7 +4,7 @@ use super::faces::Faces;
 use super::ways::Ways;
 use super::{areas, given, tiling};
 use crate::mesh::{Facets, Inputs, Mesh, Triangulation};
-use crate::options::{Algorithm, Options};
+use crate::options::{Algorithm, Crossings, Options};
 use crate::quality::view::View;
 use crate::validate::report::{Findings, ViolationKind};
 
@@ -68,7 +68,7 @@ fn areas_are_those_of_facets() {
     };
     let facet = given::polygon(&inputs, &square, 0).unwrap().unwrap();
     let faces = Faces::new(view).unwrap();
-    let ways = Ways::new(&inputs, view, &faces).unwrap();
+    let ways = Ways::new(&inputs, None, view, &faces, Crossings::Refuse).unwrap();
     let check = |subfacets: &[[u32; 3]]| {
         let mut findings = Findings::default();
         tiling::check_area(&facet, &ways, subfacets, &mut findings);

@@ -1,6 +1,7 @@
 //! Level 2: chains of subsegments lead along the caller's segments and along the edges of facets,
 //! their vertices are as near to these as doubles can be, and no subsegment is on none of them.
 
+use super::super::Outline;
 use super::super::chains::{Chains, Nearness, Way, describe, describe_distance};
 use super::super::exact::{meets, unit_in_last_place};
 use super::super::roundings::Roundings;
@@ -31,16 +32,26 @@ pub(super) struct Ways<'a> {
     is_on_chain: Vec<bool>,
     /// Subfacet -> the facet that was last found to have it, or [`NONE`], and how many times.
     pub tile_of: Vec<(u32, i64)>,
+    /// How the mesh is read.
+    crossings: Crossings,
 }
 
 impl<'a> Ways<'a> {
-    pub fn new(inputs: &'a Inputs, view: View<'a, 3>, faces: &'a Faces) -> AllocResult<Self> {
+    /// Makes ways in a mesh that is read as one whose facets and segments were split where they
+    /// cross, or were refused if they did: then they go through each other's inputs nowhere.
+    pub fn new(
+        inputs: &'a Inputs,
+        outline: Option<Outline<'_>>,
+        view: View<'a, 3>,
+        faces: &'a Faces,
+        crossings: Crossings,
+    ) -> AllocResult<Self> {
         let count = view.mesh.boundary.subsegments.len();
-        let roundings = match view.mesh.parameters.crossings {
-            Crossings::Split => Roundings::of_crossings(inputs),
-            Crossings::Refuse => Roundings::of_axes(),
+        let (roundings, is_firm) = match crossings {
+            Crossings::Split => (Roundings::of_crossings(inputs), Vec::new()),
+            Crossings::Refuse => (Roundings::of_axes(), held(inputs, outline)?),
         };
-        let chains = Chains::new(view, &faces.at)?.with_roundings(roundings);
+        let chains = Chains::new(view, &faces.at)?.with_roundings(roundings).with_firm(is_firm);
         let (is_covered, owners) = (filled(count, false)?, filled(count, NONE)?);
         let mut is_on_chain = filled(view.mesh.vertex_count(), false)?;
         let ends = view.mesh.boundary.subsegments.iter().flatten();
@@ -57,6 +68,7 @@ impl<'a> Ways<'a> {
             owners,
             is_on_chain,
             tile_of,
+            crossings,
         })
     }
 
@@ -69,9 +81,9 @@ impl<'a> Ways<'a> {
         (vertex as usize) < self.inputs.distinct()
     }
 
-    /// Returns true if the mesh is to split crossings.
+    /// Returns true if the mesh is read as one whose crossings were split.
     pub fn splits_crossings(&self) -> bool {
-        self.view.mesh.parameters.crossings == Crossings::Split
+        self.crossings == Crossings::Split
     }
 
     /// Returns true if two facets have subfacets beside a subsegment.
@@ -249,4 +261,17 @@ impl<'a> Ways<'a> {
             });
         }
     }
+}
+
+/// Returns for each distinct input true if a facet or segment of the caller's has it.
+fn held(inputs: &Inputs, outline: Option<Outline<'_>>) -> AllocResult<Vec<bool>> {
+    let mut is_held = filled(inputs.distinct(), false)?;
+    let Some(Outline { segments, facets, .. }) = outline else { return Ok(is_held) };
+    for &input in segments.inputs.as_flattened().iter().chain(&facets.inputs) {
+        let vertex = inputs.vertices().get(input as usize);
+        if let Some(is_held) = vertex.and_then(|&vertex| is_held.get_mut(vertex as usize)) {
+            *is_held = true;
+        }
+    }
+    Ok(is_held)
 }

@@ -140,19 +140,25 @@ fn check<const D: usize>(
     boundary::check_arrays(outline, result, view, &mut topology)?;
     let holds = topology.clean();
     let mut levels = collected([topology])?;
-    let mut crossings = view.mesh.parameters.crossings;
+    let mut reading = None;
     if holds && level >= 2 {
         let mut findings = Findings::default();
         let threads = usable(view.mesh.parameters.threads).min(pieces(view.simplex_count()).len());
         let mut signs = collected((0..threads.max(1)).map(|_| Signs::<Robust>::default()))?;
         check_geometry(view, &mut signs, &mut findings)?;
-        crossings = boundary::check_geometry(inputs, outline, view, &mut findings)?;
+        reading = boundary::check_geometry(inputs, outline, view, &mut findings)?;
         levels.try_push(findings)?;
     }
     if holds && level >= 3 {
         let mut findings = Findings::default();
         let promised = Promised::of(result);
-        boundary::check_regions(inputs, outline, view, (crossings, promised), &mut findings)?;
+        boundary::check_regions(
+            inputs,
+            outline,
+            view,
+            (reading.as_ref(), promised),
+            &mut findings,
+        )?;
         check_paper(case, view, promised, &mut findings)?;
         levels.try_push(findings)?;
     }

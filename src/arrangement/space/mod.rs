@@ -117,10 +117,11 @@ pub fn arrange_in_space(task: &TaskInSpace<'_>, poll: Poll<'_>) -> Result<Arrang
     }
     let found = intersections::all(&points, &pieces, poll)?;
     let mut arrangement = Arrangement { regions: copied(task.regions)?, ..Arrangement::default() };
+    let meet = !found.is_empty();
     let is_split = task.crossings == Crossings::Split
         && pieces.untiled.is_empty()
-        && (!found.is_empty() || split::is_split_by_rounding(&points, task, &pieces, poll)?);
-    let split = if is_split { split::split(&mut points, task, &pieces, poll)? } else { None };
+        && (meet || split::is_split_by_rounding(&points, task, &pieces, poll)?);
+    let split = if is_split { split::split(&mut points, task, &pieces, meet, poll)? } else { None };
     if let Some(split) = split {
         pieces = split;
         if task.extent == Extent::Hull {

@@ -17,6 +17,9 @@ use crate::validate::report::{Findings, Violation, ViolationKind};
 /// of its ends, along each axis.
 pub(super) const BENT: f64 = 16.0;
 
+/// Most units by which a chain is bent that goes through inputs near the straight segment alone.
+const NEAR: f64 = 4.0;
+
 /// Length, in units of roundings of its ends, below which a segment is bent through no input on any
 /// axis: rounding explains no gap beside it.
 const SHORTEST: f64 = 4096.0;
@@ -28,6 +31,8 @@ pub(super) enum Nearness {
     Exact(usize),
     /// Half a unit in the last place.
     Rounded,
+    /// [`NEAR`] units of roundings of the segment's ends.
+    Near,
     /// [`BENT`] units of roundings of the segment's ends.
     Bent,
 }
@@ -44,7 +49,7 @@ pub(super) struct Chains<'a, const D: usize> {
     waiting: Vec<u32>,
     roundings: Roundings<D>,
     /// Vertex -> true if no way bends through it; vertices beyond are not such.
-    is_firm: Vec<bool>,
+    is_firm: &'a [bool],
 }
 
 /// A segment between two vertices, or with [`NONE`] a side of the extent, which has all
@@ -96,20 +101,14 @@ impl<'a, const D: usize> Chains<'a, D> {
     pub fn new(view: View<'a, D>, at: &'a Lists) -> AllocResult<Self> {
         let reached = filled(view.vertex_count(), (NONE, NONE))?;
         let (path, waiting) = Default::default();
-        let (roundings, is_firm) = (Roundings::of_axes(), Vec::new());
+        let (roundings, is_firm) = (Roundings::of_axes(), &[][..]);
         Ok(Self { view, at, reached, searches: 0, path, waiting, roundings, is_firm })
     }
 
-    /// Takes vertices for on a way only where they are exactly.
-    pub fn with_firm(mut self, is_firm: Vec<bool>) -> Self {
-        self.is_firm = is_firm;
-        self
-    }
-
-    /// Takes units of other axes for roundings, too.
-    pub fn with_roundings(mut self, roundings: Roundings<D>) -> Self {
-        self.roundings = roundings;
-        self
+    /// Takes other roundings from now on, and some vertices for on a way only where they are
+    /// exactly.
+    pub fn read(&mut self, roundings: Roundings<D>, is_firm: &'a [bool]) {
+        (self.roundings, self.is_firm) = (roundings, is_firm);
     }
 
     /// Returns the vertices of the way that was found last, from end to end.
@@ -199,10 +198,12 @@ impl<'a, const D: usize> Chains<'a, D> {
     }
 
     /// Appends the vertices from `from` to `to`, along subsegments of earlier segments: as near to
-    /// the segment as doubles can be, or if there are none bent.
+    /// the segment as doubles can be, or if there are none bent, as little as can be: other chains
+    /// may lead from end to end where roundings are as wide as a box.
     fn cross_gap(&mut self, way: Way, from: u32, to: u32) -> AllocResult<bool> {
         Ok(from == to
             || self.search_gap(way, from, to, Nearness::Rounded)?
+            || self.search_gap(way, from, to, Nearness::Near)?
             || self.search_gap(way, from, to, Nearness::Bent)?)
     }
 
@@ -220,17 +221,22 @@ impl<'a, const D: usize> Chains<'a, D> {
             if vertex == to {
                 return self.append_way(from, to);
             }
-            // Those of no segment come last, and so go first: they are the extent's own.
+            // Those of no segment come last, and so go first: they are the extent's own. Before them
+            // come vertices that bend the way.
             let (at, parents) = (self.at, &self.view.mesh.boundary.parents);
             let of_none = |subsegment: &&u32| parents[**subsegment as usize] == NONE;
             let at_vertex = || at.of(vertex as usize).iter();
             let others = at_vertex().filter(|subsegment| !of_none(subsegment));
-            for &subsegment in others.chain(at_vertex().filter(of_none)) {
-                let next = self.next_of_gap(way, subsegment, [vertex, to], nearness)?;
-                let is_new = |next: &u32| self.reached[*next as usize].1 != self.searches;
-                if let Some(next) = next.filter(is_new) {
-                    self.reached[next as usize] = (vertex, self.searches);
-                    self.waiting.try_push(next)?;
+            let all = others.chain(at_vertex().filter(of_none));
+            for is_straight in [false, true] {
+                for &subsegment in all.clone() {
+                    let next = self.next_of_gap(way, subsegment, [vertex, to], nearness)?;
+                    let is_new = |next: &u32| self.reached[*next as usize].1 != self.searches;
+                    let Some(next) = next.filter(is_new) else { continue };
+                    if self.is_near(way, next, Nearness::Rounded)? == is_straight {
+                        self.reached[next as usize] = (vertex, self.searches);
+                        self.waiting.try_push(next)?;
+                    }
                 }
             }
         }
@@ -276,6 +282,7 @@ impl<'a, const D: usize> Chains<'a, D> {
             _ if is_firm => [0.0; D],
             Nearness::Exact(inputs) if (vertex as usize) < inputs => [0.0; D],
             Nearness::Exact(_) | Nearness::Rounded => p.map(unit_in_last_place),
+            Nearness::Near => self.roundings.units_of([from, to]).map(|unit| 2.0 * NEAR * unit),
             Nearness::Bent => self.roundings.units_of([from, to]).map(|unit| 2.0 * BENT * unit),
         };
         meets(from, to, p, widths)

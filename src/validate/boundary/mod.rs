@@ -35,11 +35,12 @@ mod walls;
 use super::report::Findings;
 use crate::memory::AllocResult;
 use crate::mesh::{Boundary, Facets, Inputs, Region, Segments, Triangulation};
-use crate::options::{Crossings, Extent};
+use crate::options::Extent;
 use crate::quality::view::View;
 use anchors::Anchors;
 use edges::Edges;
 use lines::Lines;
+use space::Reading;
 
 /// Segments, facets and regions that the caller of a run gave beside the points.
 #[derive(Clone, Copy, Debug)]
@@ -105,18 +106,18 @@ pub(super) fn check_arrays<const D: usize>(
     }
 }
 
-/// Checks level 2 of a mesh for which level 1 holds. Returns if its crossings are read as split.
+/// Checks level 2 of a mesh for which level 1 holds. Returns how facets in space are read.
 pub(super) fn check_geometry<const D: usize>(
     inputs: &Inputs,
     outline: Option<Outline<'_>>,
     whole: View<'_, D>,
     findings: &mut Findings,
-) -> AllocResult<Crossings> {
+) -> AllocResult<Option<Reading>> {
     if D == 3 {
-        return space::check_geometry(inputs, outline, View { mesh: whole.mesh }, findings);
+        let whole = View { mesh: whole.mesh };
+        return Ok(Some(space::check_geometry(inputs, outline, whole, findings)?));
     }
-    let asked = whole.mesh.parameters.crossings;
-    let Some(view) = in_the_plane(outline, whole) else { return Ok(asked) };
+    let Some(view) = in_the_plane(outline, whole) else { return Ok(None) };
     let edges = Edges::new(view)?;
     edges::check(view, &edges, findings)?;
     if let Some(Outline { segments, .. }) = outline {
@@ -125,23 +126,23 @@ pub(super) fn check_geometry<const D: usize>(
     frame::check(inputs, view, &edges, findings)?;
     let anchors = Anchors::new(view, inputs.distinct(), &edges);
     lines::check(view, &Lines::new(view.mesh, &anchors)?, findings)?;
-    Ok(asked)
+    Ok(None)
 }
 
-/// Checks level 3 of a mesh for which level 1 holds, and whose crossings are read as level 2 says.
+/// Checks level 3 of a mesh for which level 1 holds, and that is read as level 2 does.
 pub(super) fn check_regions<const D: usize>(
     inputs: &Inputs,
     outline: Option<Outline<'_>>,
     whole: View<'_, D>,
-    (crossings, promised): (Crossings, Promised<'_>),
+    (reading, promised): (Option<&Reading>, Promised<'_>),
     findings: &mut Findings,
 ) -> AllocResult<()> {
-    if D == 3 {
+    if let (3, Some(reading)) = (D, reading) {
         return space::check_regions(
             inputs,
             outline,
             View { mesh: whole.mesh },
-            (crossings, promised),
+            (reading, promised),
             findings,
         );
     }

@@ -74,6 +74,7 @@ pub(super) fn split(
     points: &mut Vec<[f64; 3]>,
     task: &TaskInSpace<'_>,
     pieces: &Pieces,
+    meets_exactly: bool,
     poll: Poll<'_>,
 ) -> Result<Option<Pieces>> {
     let coplanar = Coplanar::find(points, pieces, poll)?;
@@ -86,13 +87,13 @@ pub(super) fn split(
         let needles = needles(points, task, &on)?;
         let is_whole = pieces.faults.iter().all(has_no_area) && needles.is_empty();
         if corners.all.is_empty() && corners.areas.are_tiled() && is_whole {
-            if !are_whole(&pieces, &corners.areas.pairs, poll)?
-                || !is_sound(points, task, &pieces, &owners, &on, poll)?
-            {
-                return Ok(None);
+            let pairs = &corners.areas.pairs;
+            let is_kept = are_whole(&pieces, pairs, poll)?
+                && is_sound(points, task, &pieces, &owners, &on, meets_exactly, poll)?;
+            if is_kept {
+                leave_to_first(points, &mut pieces, pairs)?;
             }
-            leave_to_first(points, &mut pieces, &corners.areas.pairs)?;
-            return Ok(Some(pieces));
+            return Ok(is_kept.then_some(pieces));
         }
         if corners.all.len() > most {
             return Ok(None);

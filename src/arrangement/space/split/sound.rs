@@ -21,15 +21,21 @@ const MOST_OFF: f64 = 2.5;
 /// Largest distance of a vertex from the edge that goes through it, in units in the last place.
 const MOST_BENT: f64 = 15.0;
 
+/// Distance of a corner from another edge of its facet, in units in the last place, up to which the
+/// edge could be taken for one that is bent through it. It is larger than any bend.
+const MISTAKEN: f64 = 17.0;
+
 /// Returns true if no edge and no facet goes through vertices farther from it than segments may
-/// be bent, and if the triangles of each facet end at its edges. O(n log n) for facets of few
-/// corners.
+/// be bent, and if the triangles of each facet end at its edges. Where nothing meets exactly all
+/// facets are to be wider than bends, too: otherwise they had better stay as they are. O(n log n)
+/// for facets of few corners.
 pub(super) fn is_sound(
     points: &[[f64; 3]],
     task: &TaskInSpace<'_>,
     pieces: &Pieces,
     owners: &Owners,
     on: &Isolated,
+    meets_exactly: bool,
     poll: Poll<'_>,
 ) -> Result<bool> {
     let roundings = &owners.roundings.of_bends();
@@ -43,10 +49,11 @@ pub(super) fn is_sound(
     }
     for own in pieces.all.chunk_by(|a, b| a.feature == b.feature) {
         if let Feature::Facet(facet) = own[0].feature {
-            let is_whole = is_wider_than_bends(points, task, on, facet, roundings)
-                && own.iter().any(|piece| piece.triangle().is_some())
-                && is_flat(points, task, facet, own, roundings)
-                && ends_at_its_edges(task, on, facet, own, poll)?;
+            let is_whole =
+                is_wider_than_bends(points, task, on, facet, (roundings, !meets_exactly))
+                    && own.iter().any(|piece| piece.triangle().is_some())
+                    && is_flat(points, task, facet, own, roundings)
+                    && ends_at_its_edges(task, on, facet, own, poll)?;
             if !is_whole {
                 return Ok(false);
             }
@@ -56,13 +63,14 @@ pub(super) fn is_sound(
 }
 
 /// Returns true if no corner of a facet is as near to another of its edges as that may be bent: led
-/// through vertices, such an edge is not to be told from one that begins at the corner.
+/// through vertices, such an edge is not to be told from one that begins at the corner. Asks for
+/// `all` edges, or for those that are led through vertices.
 fn is_wider_than_bends(
     points: &[[f64; 3]],
     task: &TaskInSpace<'_>,
     on: &Isolated,
     facet: u32,
-    roundings: &Roundings,
+    (roundings, all): (&Roundings, bool),
 ) -> bool {
     let vertex = |&input: &u32| task.inputs.vertices()[input as usize];
     let corners = task.facets.loops(facet as usize).flatten().map(vertex);
@@ -70,7 +78,7 @@ fn is_wider_than_bends(
         (0..own.len()).all(|at| {
             let edge = [at, (at + 1) % own.len()].map(|at| vertex(&own[at]));
             let mut chain = on.chain(edge);
-            if edge[0] == edge[1] || chain.nth(1).is_none() {
+            if edge[0] == edge[1] || !all && chain.nth(1).is_none() {
                 return true;
             }
             let ends = edge.map(|end| &points[end as usize]);
@@ -78,9 +86,9 @@ fn is_wider_than_bends(
                 (roundings.reach(points, edge), roundings.units_of(ends.into_iter()));
             let is_beside = |x: &[f64; 3]| {
                 let is_at =
-                    |end: &&[f64; 3]| (0..3).all(|k| (x[k] - end[k]).abs() <= MOST_BENT * units[k]);
+                    |end: &&[f64; 3]| (0..3).all(|k| (x[k] - end[k]).abs() <= MISTAKEN * units[k]);
                 (reach.is_between(x) || ends.iter().any(is_at))
-                    && reach.offset_from_segment(x) <= MOST_BENT
+                    && reach.offset_from_segment(x) <= MISTAKEN
             };
             corners.clone().all(|corner| {
                 let is_on = || on.chain(edge).any(|part| part.contains(&corner));

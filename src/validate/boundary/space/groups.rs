@@ -34,35 +34,17 @@ pub(super) fn each_facet(
         findings.check(false, || describe("triangles have inputs that are no vertices"));
         return Ok(());
     };
-    let mut balances = balances_of(ways.inputs, &triangles, ways.splits_crossings())?;
-    if ways.splits_crossings() {
-        leave_out_needles(&triangles, &mut balances, ways, findings)?;
-    }
+    let mut balances = balances_of(&triangles, ways)?;
+    leave_out_needles(&triangles, &mut balances, ways, findings)?;
     let mut kept = kept_of(&balances)?;
-    if ways.splits_crossings() && leave_out_between(&triangles, &kept, &mut balances, ways)? {
+    if leave_out_between(&triangles, &kept, &mut balances, ways)? {
         kept = kept_of(&balances)?;
     }
     let mut sets = Sets::new(triangles.len())?;
     let sides = sides(&triangles, &kept)?;
     for same in sides.chunk_by(|a, b| a.0 == b.0) {
-        let is_line = ways.find(same[0].0)?;
-        for (at, &one) in same.iter().enumerate() {
-            for &other in &same[at + 1..] {
-                let [first, second] = [one.1, other.1].map(|triangle| triangle as usize);
-                let are_alike = facets.markers[first] == facets.markers[second]
-                    && balances[first] == balances[second];
-                let is_joined = match (is_line, ways.splits_crossings()) {
-                    (true, false) => is_one_facet(&triangles, [one, other], ways),
-                    (true, true) => {
-                        same.len() == 2 && are_alike && is_one_facet(&triangles, [one, other], ways)
-                    }
-                    (false, _) => same.len() == 2,
-                };
-                if is_joined {
-                    sets.join(one.1 as usize, other.1 as usize);
-                    check_pair(facets, &triangles, [one, other], ways, findings);
-                }
-            }
+        for splits in [false, true] {
+            join(facets, &triangles, &balances, (same, splits), &mut sets, ways, findings)?;
         }
     }
     check_parents(ways, &mut sets, findings);
@@ -72,6 +54,7 @@ pub(super) fn each_facet(
     }
     members.sort_unstable();
     for group in members.chunk_by(|a, b| a.0 == b.0) {
+        let before = findings.violations;
         match facet(ways.inputs, &triangles, group)? {
             Some(facet) if is_left_out(&facet, &triangles, group, ways)? => {}
             Some(facet) => {
@@ -79,6 +62,48 @@ pub(super) fn each_facet(
                 visit(&facet, balance, ways, findings)?;
             }
             None => drop(findings.check(false, || describe("a facet's triangles have no area"))),
+        }
+        let own = || group.iter().map(|member| member.1 as usize);
+        if findings.violations > before || own().any(|triangle| ways.failing.facets[triangle]) {
+            own().for_each(|triangle| ways.failing.facets[triangle] = true);
+        }
+    }
+    Ok(())
+}
+
+/// Joins those triangles beside an edge that are read as split, or as given, and are one facet.
+fn join(
+    facets: &Facets,
+    triangles: &[[u32; 3]],
+    balances: &[Option<i64>],
+    (same, splits): (&[Side], bool),
+    sets: &mut Sets,
+    ways: &mut Ways<'_>,
+    findings: &mut Findings,
+) -> AllocResult<()> {
+    let own = collected(same.iter().copied().filter(|side| ways.splits(side.1) == splits))?;
+    if own.len() < 2 {
+        return Ok(());
+    }
+    let is_line = ways.find(same[0].0, splits)?;
+    for (at, &one) in own.iter().enumerate() {
+        for &other in &own[at + 1..] {
+            let [first, second] = [one.1, other.1].map(|triangle| triangle as usize);
+            let are_alike = facets.markers[first] == facets.markers[second]
+                && balances[first] == balances[second];
+            let is_joined = match (is_line, splits) {
+                (true, false) => is_one_facet(triangles, [one, other], ways),
+                (true, true) => {
+                    same.len() == 2 && are_alike && is_one_facet(triangles, [one, other], ways)
+                }
+                (false, _) => same.len() == 2,
+            };
+            if is_joined {
+                sets.join(first, second);
+                if !check_pair(facets, triangles, [one, other], ways, findings) {
+                    ways.failing.facets[first] = true;
+                }
+            }
         }
     }
     Ok(())
@@ -102,28 +127,22 @@ fn triangles(inputs: &Inputs, facets: &Facets) -> AllocResult<Option<Vec<[u32; 3
     Ok((triangles.len() == facets.count()).then_some(triangles))
 }
 
-/// Returns for each triangle by how much the winding number grows behind it. If crossings are split
-/// the first of several with the same vertices stands for all, and the others and those without an
-/// area have none.
-fn balances_of(
-    inputs: &Inputs,
-    triangles: &[[u32; 3]],
-    splits: bool,
-) -> AllocResult<Vec<Option<i64>>> {
+/// Returns for each triangle by how much the winding number grows behind it. Where crossings are
+/// split the first of several with the same vertices stands for all, and the others and those
+/// without an area have none.
+fn balances_of(triangles: &[[u32; 3]], ways: &Ways<'_>) -> AllocResult<Vec<Option<i64>>> {
     let mut balances = filled(triangles.len(), Some(1))?;
-    if !splits {
-        return Ok(balances);
-    }
     // The vertices from the lowest on, in their order and then the other way round.
     let turned = |(number, &own): (u32, &[u32; 3])| {
         let least = own.into_iter().min().unwrap_or(NONE);
         let [a, b, c] = from_vertex(own, least);
         ([a, b.min(c), b.max(c)], number, b < c)
     };
-    let mut all = collected((0u32..).zip(triangles).map(turned))?;
+    let split = (0u32..).zip(triangles).filter(|own| ways.splits(own.0));
+    let mut all = collected(split.map(turned))?;
     all.sort_unstable();
     for same in all.chunk_by(|a, b| a.0 == b.0) {
-        let area = AreaVector::of_triangle(same[0].0.map(|corner| point(inputs, corner)));
+        let area = AreaVector::of_triangle(same[0].0.map(|corner| point(ways.inputs, corner)));
         let has_area = area.rounded().is_some();
         let sum = same.iter().map(|one| if one.2 == same[0].2 { 1 } else { -1 }).sum();
         for (at, one) in same.iter().enumerate() {
@@ -143,10 +162,13 @@ fn leave_out_needles(
 ) -> AllocResult<()> {
     let kept = (0u32..).zip(triangles).zip(balances).filter(|(_, balance)| balance.is_some());
     for ((number, &[a, b, c]), balance) in kept {
+        if !ways.splits(number) {
+            continue;
+        }
         let edges = [[a, b], [b, c], [c, a]];
         let mut is_needle = false;
         for (edge, opposite) in edges.into_iter().zip([c, a, b]) {
-            is_needle |= ways.find(edge)? && ways.vertices_on_way().contains(&opposite);
+            is_needle |= ways.find(edge, true)? && ways.vertices_on_way().contains(&opposite);
         }
         if is_needle {
             for edge in edges {
@@ -177,7 +199,8 @@ fn leave_out_between(
     // other triangles or none, and how many have not.
     let mut is_narrow = filled(triangles.len(), false)?;
     for &triangle in kept {
-        is_narrow[triangle as usize] = ways.is_needle(triangles[triangle as usize])?;
+        let own = triangles[triangle as usize];
+        is_narrow[triangle as usize] = ways.splits(triangle) && ways.is_needle(own)?;
     }
     if !is_narrow.contains(&true) {
         return Ok(false);
@@ -185,7 +208,7 @@ fn leave_out_between(
     let mut open = filled(triangles.len(), [0u8; 2])?;
     for same in sides(triangles, kept)?.chunk_by(|a, b| a.0 == b.0) {
         let narrow = || same.iter().filter(|side| is_narrow[side.1 as usize]);
-        if narrow().next().is_none() || ways.find(same[0].0)? {
+        if narrow().next().is_none() || ways.find(same[0].0, true)? {
             continue;
         }
         let others = same.len() - narrow().count();
@@ -212,12 +235,13 @@ fn is_left_out(
     ways: &mut Ways<'_>,
 ) -> AllocResult<bool> {
     for &(_, triangle) in group {
-        if !ways.splits_crossings() || !ways.is_needle(triangles[triangle as usize])? {
+        let own = triangles[triangle as usize];
+        if !ways.splits(triangle) || !ways.is_needle(own)? {
             return Ok(false);
         }
     }
     for &edge in &facet.rim {
-        if !ways.find(edge)? {
+        if !ways.find(edge, true)? {
             return Ok(true);
         }
     }
@@ -290,14 +314,14 @@ fn from_edge([a, b, c]: [u32; 3], ends: [u32; 2]) -> [u32; 3] {
     }
 }
 
-/// Checks that two triangles may be one facet.
+/// Checks that two triangles may be one facet. Returns true if they may.
 fn check_pair(
     facets: &Facets,
     triangles: &[[u32; 3]],
     [one, other]: [Side; 2],
     ways: &Ways<'_>,
     findings: &mut Findings,
-) {
+) -> bool {
     let marker = |side: Side| facets.markers[side.1 as usize];
     let is_one = one.2 != other.2 && marker(one) == marker(other);
     let [[first, first_apex], [second, second_apex]] = [one, other].map(|(ends, triangle, _)| {
@@ -314,7 +338,7 @@ fn check_pair(
             "triangles {a} and {b} are one facet, and have no one marker, direction and plane"
         );
         Violation::new(ViolationKind::FacetGroup, message).vertex(one.0[0] as usize)
-    });
+    })
 }
 
 /// Returns the largest sine of the angle from flat between triangles that are one facet: each of
@@ -381,15 +405,18 @@ fn facet(
 }
 
 /// Checks that subfacets are of facets, which have the number of their first triangle.
-fn check_parents(ways: &Ways<'_>, sets: &mut Sets, findings: &mut Findings) {
+fn check_parents(ways: &mut Ways<'_>, sets: &mut Sets, findings: &mut Findings) {
     let boundary = &ways.view.mesh.boundary;
     for same in boundary.subfacet_parents.chunk_by(|a, b| a == b).filter(|same| same[0] != NONE) {
-        let parent = same[0];
-        findings.check(sets.find(parent as usize) == parent as usize, || {
+        let parent = same[0] as usize;
+        let is_first = findings.check(sets.find(parent) == parent, || {
             let message = message!(
                 "subfacets are of facet {parent}, which is not the first triangle of its facet"
             );
             Violation::new(ViolationKind::FacetGroup, message)
         });
+        if !is_first {
+            ways.failing.facets[parent] = true;
+        }
     }
 }

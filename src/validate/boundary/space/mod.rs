@@ -4,7 +4,7 @@
 //!   has the subsegments and subfacets of its simplices.
 //! - Level 2, `faces`: subsegments are edges and subfacets faces of the mesh, which is exactly
 //!   Delaunay; `ways`: chains of subsegments lead along segments and along the edges of facets, and
-//!   there are no others; `groups`: which triangles of a surface are one facet; `tiling`: the
+//!   there are no others, by the `reading` of each; `groups`: which triangles of a surface are one facet; `tiling`: the
 //!   subfacets of a facet, which `tiles` finds, tile it in the projection along an axis; `plane`:
 //!   their vertices are as near to its plane as rounding lets them be; `frame`: the boundary of a
 //!   hull or box.
@@ -23,6 +23,7 @@ mod groups;
 mod hull;
 mod inside;
 mod plane;
+mod reading;
 #[cfg(test)]
 mod tests;
 mod tiles;
@@ -31,6 +32,7 @@ mod ways;
 
 pub(super) use arrays::check as check_arrays;
 pub(super) use faces::walls;
+pub(in crate::validate) use reading::Reading;
 
 use super::{Outline, Promised, areas, interior, regions};
 use crate::memory::{AllocResult, collected, filled};
@@ -40,60 +42,61 @@ use crate::quality::view::View;
 use crate::validate::report::Findings;
 use faces::Faces;
 use given::Facet;
-use ways::Ways;
+use ways::{Failing, Ways};
 
 /// Checks level 2 of a mesh in space for which level 1 holds, and returns how it is read.
-///
-/// If crossings are split, what is nearer than roundings may have become one, or not: a plate of
-/// some units in the last place may stay as it is. So the mesh is first read as one in which
-/// nothing was split. Nothing is to be excused by roundings then, and if all holds no more is to
-/// ask.
 pub(super) fn check_geometry(
     inputs: &Inputs,
     outline: Option<Outline<'_>>,
     view: View<'_, 3>,
     findings: &mut Findings,
-) -> AllocResult<Crossings> {
-    let asked = view.mesh.parameters.crossings;
+) -> AllocResult<Reading> {
+    let mut reading = Reading::as_given(inputs, outline)?;
     if !has_boundary(outline, view) {
-        return Ok(asked);
+        return Ok(reading);
     }
     let faces = Faces::new(view)?;
     faces::check(view, &faces, findings)?;
-    if let (Some(_), Crossings::Split) = (outline, asked) {
-        let as_given = check_reading(inputs, outline, view, &faces, Crossings::Refuse)?;
-        if as_given.clean() {
-            findings.merge(as_given);
-            return Ok(Crossings::Refuse);
-        }
+    let mut own = Findings::default();
+    let Failing { facets, segments } =
+        check_reading(inputs, outline, view, &faces, &reading, &mut own)?;
+    if view.mesh.parameters.crossings == Crossings::Split {
+        (reading.facets, reading.segments) = (facets, segments);
     }
-    findings.merge(check_reading(inputs, outline, view, &faces, asked)?);
-    Ok(asked)
+    if reading.splits_any() {
+        own = Findings::default();
+        check_reading(inputs, outline, view, &faces, &reading, &mut own)?;
+    }
+    findings.merge(own);
+    Ok(reading)
 }
 
-/// Returns the findings of the rules for a mesh that is read as one whose crossings were split or
-/// refused.
+/// Checks the rules of level 2 by a reading, and returns for which facets and segments something
+/// does not hold.
 fn check_reading(
     inputs: &Inputs,
     outline: Option<Outline<'_>>,
     view: View<'_, 3>,
     faces: &Faces,
-    crossings: Crossings,
-) -> AllocResult<Findings> {
-    let mut findings = Findings::default();
-    let mut ways = Ways::new(inputs, outline, view, faces, crossings)?;
-    if let Some(Outline { segments, facets, .. }) = outline {
-        ways.check_segments(segments, &mut findings)?;
-        each_facet(facets, &mut ways, &mut findings, |facet, _, ways, findings| {
-            tiling::check(facet, ways, findings)
-        })?;
-        frame::check(&mut ways, &mut findings)?;
-        ways.check_owners(&mut findings);
-    } else {
-        tiling::check_rims(view, faces, &mut findings)?;
-        frame::check(&mut ways, &mut findings)?;
+    reading: &Reading,
+    findings: &mut Findings,
+) -> AllocResult<Failing> {
+    let mut ways = Ways::new(inputs, view, faces, reading)?;
+    match outline {
+        Some(Outline { segments, facets, .. }) => {
+            ways.check_segments(segments, findings)?;
+            each_facet(facets, &mut ways, findings, |facet, _, ways, findings| {
+                tiling::check(facet, ways, findings)
+            })?;
+            frame::check(&mut ways, findings)?;
+            ways.check_owners(findings);
+        }
+        None => {
+            tiling::check_rims(view, faces, findings)?;
+            frame::check(&mut ways, findings)?;
+        }
     }
-    Ok(findings)
+    Ok(ways.failing)
 }
 
 /// Calls `visit` with each facet between inputs, and by how much the winding number grows behind
@@ -108,12 +111,14 @@ fn each_facet(
         return groups::each_facet(facets, ways, findings, visit);
     }
     for number in 0..facets.count() {
+        let before = findings.violations;
         match given::polygon(ways.inputs, facets, number)? {
             Some(facet) => visit(&facet, 1, ways, findings)?,
             // It has nothing to keep, if crossings are split.
-            None if ways.splits_crossings() => {}
+            None if ways.splits(number as u32) => {}
             None => drop(findings.check(false, || given::describe_no_area(number))),
         }
+        ways.failing.facets[number] = findings.violations > before;
     }
     Ok(())
 }
@@ -125,16 +130,16 @@ fn steps(
     outline: Outline<'_>,
     view: View<'_, 3>,
     faces: &Faces,
-    crossings: Crossings,
+    reading: &Reading,
 ) -> AllocResult<Vec<i64>> {
     let boundary = &view.mesh.boundary;
-    let mut ways = Ways::new(inputs, Some(outline), view, faces, crossings)?;
-    if !ways.splits_crossings() {
+    if !reading.splits_any() {
         return collected(
             boundary.subfacet_parents.iter().map(|&parent| i64::from(parent != NONE)),
         );
     }
     let mut steps = filled(boundary.subfacets.len(), 0)?;
+    let mut ways = Ways::new(inputs, view, faces, reading)?;
     // Level 2 has said what is to say.
     let mut known = Findings::default();
     each_facet(outline.facets, &mut ways, &mut known, |facet, balance, ways, known| {
@@ -148,13 +153,12 @@ fn steps(
     Ok(steps)
 }
 
-/// Checks level 3 of a mesh in space for which level 1 holds, and which is read with its crossings
-/// split or refused.
+/// Checks level 3 of a mesh in space for which level 1 holds, which has a reading.
 pub(super) fn check_regions(
     inputs: &Inputs,
     outline: Option<Outline<'_>>,
     view: View<'_, 3>,
-    (crossings, promised): (Crossings, Promised<'_>),
+    (reading, promised): (&Reading, Promised<'_>),
     findings: &mut Findings,
 ) -> AllocResult<()> {
     if !has_boundary(outline, view) {
@@ -165,7 +169,7 @@ pub(super) fn check_regions(
     if !boundary.simplex_regions.is_empty() {
         let steps = match outline {
             Some(outline) if interior::is_asked(view) => {
-                Some(steps(inputs, outline, view, &faces, crossings)?)
+                Some(steps(inputs, outline, view, &faces, reading)?)
             }
             _ => None,
         };

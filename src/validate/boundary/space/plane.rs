@@ -96,7 +96,7 @@ impl Slab {
     /// Returns the planes between which all vertices of a facet are.
     pub fn wide(facet: &Facet, ways: &Ways<'_>) -> Self {
         let points = facet.corners.iter().map(|&corner| ways.input(corner));
-        let units = ways.roundings.units_of(points.clone());
+        let units = ways.roundings(ways.splits(facet.parent)).units_of(points.clone());
         let mut slab = Self::of(&facet.normal, points);
         slab.widen(&facet.normal, &units.map(|unit| BENT * unit));
         slab
@@ -232,13 +232,13 @@ pub(super) fn check(
     findings: &mut Findings,
 ) {
     let points = facet.corners.iter().map(|&corner| ways.input(corner));
-    let units = ways.roundings.units_of(points.clone());
+    let units = ways.roundings(ways.splits(facet.parent)).units_of(points.clone());
     let normal = &facet.normal;
     let mut slab = Slab::of(normal, points);
     slab.widen(normal, &units.map(|unit| ROUNDED * unit));
     let mut wide = Slab { low: slab.low.clone(), high: slab.high.clone() };
     wide.widen(normal, &units.map(|unit| (BENT - ROUNDED) * unit));
-    let goes_beside = ways.splits_crossings() || is_bent(facet, &units, ways);
+    let goes_beside = ways.splits(facet.parent) || is_bent(facet, &units, ways);
     for vertex in vertices {
         let is_bent = goes_beside || ways.is_input(vertex) || ways.is_on_chain(vertex);
         let limit = if is_bent { &wide } else { &slab };

@@ -1,10 +1,11 @@
 //! Rules of which the arrays must be broken in ways that other rules see first.
 
 use super::faces::Faces;
+use super::reading::Reading;
 use super::ways::Ways;
 use super::{areas, given, tiling};
 use crate::mesh::{Facets, Inputs, Mesh, Triangulation};
-use crate::options::{Algorithm, Crossings, Options};
+use crate::options::{Algorithm, Options};
 use crate::quality::view::View;
 use crate::validate::report::{Findings, ViolationKind};
 
@@ -68,7 +69,8 @@ fn areas_are_those_of_facets() {
     };
     let facet = given::polygon(&inputs, &square, 0).unwrap().unwrap();
     let faces = Faces::new(view).unwrap();
-    let ways = Ways::new(&inputs, None, view, &faces, Crossings::Refuse).unwrap();
+    let reading = Reading::as_given(&inputs, None).unwrap();
+    let ways = Ways::new(&inputs, view, &faces, &reading).unwrap();
     let check = |subfacets: &[[u32; 3]]| {
         let mut findings = Findings::default();
         tiling::check_area(&facet, &ways, subfacets, &mut findings);

@@ -40,7 +40,7 @@ pub(super) fn tiles(facet: &Facet, rim: &[Edge], ways: &mut Ways<'_>) -> AllocRe
         times: 1,
     });
     let mut tiles: Vec<Tile> = collected(own)?;
-    if ways.splits_crossings() {
+    if ways.splits(facet.parent) {
         Search { facet, rim, slab: Slab::wide(facet, ways), waiting: Vec::new() }
             .lead_on(&mut tiles, ways)?;
     }

@@ -269,7 +269,8 @@ pub(super) fn check_area(
         let [from, to] = ends.map(|end| facet.projection.of(ways.input(end)));
         difference.add_facet([&to, &from]);
         if ways.faces.subsegment(ways.view, ends).is_none() {
-            let units = ways.roundings.units_of(ends.map(|end| ways.input(end)));
+            let roundings = ways.roundings(ways.splits(facet.parent));
+            let units = roundings.units_of(ends.map(|end| ways.input(end)));
             add_deviation(&from, &to, facet.projection.of(&units), &mut bound);
         }
     }

@@ -1,12 +1,12 @@
 //! Level 2: chains of subsegments lead along the caller's segments and along the edges of facets,
 //! their vertices are as near to these as doubles can be, and no subsegment is on none of them.
 
-use super::super::Outline;
 use super::super::chains::{Chains, Nearness, Way, describe, describe_distance};
 use super::super::exact::{meets, unit_in_last_place};
 use super::super::roundings::Roundings;
 use super::faces::Faces;
 use super::given;
+use super::reading::Reading;
 use super::tiling::name_of;
 use crate::error::message;
 use crate::memory::{AllocResult, TryGrow, filled};
@@ -20,7 +20,9 @@ pub(super) struct Ways<'a> {
     pub view: View<'a, 3>,
     pub faces: &'a Faces,
     pub inputs: &'a Inputs,
-    pub roundings: Roundings<3>,
+    reading: &'a Reading,
+    /// What rounding explains of what was split.
+    crossings: Roundings<3>,
     chains: Chains<'a, 3>,
     /// Vertices of the chain that was found last.
     path: Vec<u32>,
@@ -32,26 +34,29 @@ pub(super) struct Ways<'a> {
     is_on_chain: Vec<bool>,
     /// Subfacet -> the facet that was last found to have it, or [`NONE`], and how many times.
     pub tile_of: Vec<(u32, i64)>,
-    /// How the mesh is read.
-    crossings: Crossings,
+    /// Facets and segments that do not hold as they are read.
+    pub failing: Failing,
+}
+
+/// Facets and segments for which something does not hold.
+pub(super) struct Failing {
+    pub facets: Vec<bool>,
+    pub segments: Vec<bool>,
 }
 
 impl<'a> Ways<'a> {
-    /// Makes ways in a mesh that is read as one whose facets and segments were split where they
-    /// cross, or were refused if they did: then they go through each other's inputs nowhere.
     pub fn new(
         inputs: &'a Inputs,
-        outline: Option<Outline<'_>>,
         view: View<'a, 3>,
         faces: &'a Faces,
-        crossings: Crossings,
+        reading: &'a Reading,
     ) -> AllocResult<Self> {
         let count = view.mesh.boundary.subsegments.len();
-        let (roundings, is_firm) = match crossings {
-            Crossings::Split => (Roundings::of_crossings(inputs), Vec::new()),
-            Crossings::Refuse => (Roundings::of_axes(), held(inputs, outline)?),
+        let (chains, crossings) = (Chains::new(view, &faces.at)?, Roundings::of_crossings(inputs));
+        let failing = Failing {
+            facets: filled(reading.facets.len(), false)?,
+            segments: filled(reading.segments.len(), false)?,
         };
-        let chains = Chains::new(view, &faces.at)?.with_roundings(roundings).with_firm(is_firm);
         let (is_covered, owners) = (filled(count, false)?, filled(count, NONE)?);
         let mut is_on_chain = filled(view.mesh.vertex_count(), false)?;
         let ends = view.mesh.boundary.subsegments.iter().flatten();
@@ -61,14 +66,15 @@ impl<'a> Ways<'a> {
             view,
             faces,
             inputs,
-            roundings,
+            reading,
+            crossings,
             chains,
             path,
             is_covered,
             owners,
             is_on_chain,
             tile_of,
-            crossings,
+            failing,
         })
     }
 
@@ -81,9 +87,21 @@ impl<'a> Ways<'a> {
         (vertex as usize) < self.inputs.distinct()
     }
 
-    /// Returns true if the mesh is read as one whose crossings were split.
-    pub fn splits_crossings(&self) -> bool {
-        self.crossings == Crossings::Split
+    /// Returns true if a facet is read as split; of the boundary of an extent, if any is.
+    pub fn splits(&self, facet: u32) -> bool {
+        let own = self.reading.facets.get(facet as usize).copied();
+        own.unwrap_or_else(|| self.reading.splits_any())
+    }
+
+    /// Returns what rounding explains of what is read as split, or as given.
+    pub fn roundings(&self, splits: bool) -> Roundings<3> {
+        if splits { self.crossings } else { Roundings::of_axes() }
+    }
+
+    /// Follows chains of a facet or segment that is read as split, or as given.
+    fn read(&mut self, splits: bool) {
+        let is_firm = if splits { &[][..] } else { &self.reading.is_held[..] };
+        self.chains.read(self.roundings(splits), is_firm);
     }
 
     /// Returns true if two facets have subfacets beside a subsegment.
@@ -110,21 +128,41 @@ impl<'a> Ways<'a> {
         findings: &mut Findings,
     ) -> AllocResult<()> {
         for segment in 0..segments.count() {
-            let way = Way::of(self.inputs, segments, segment);
+            let (way, before) = (Way::of(self.inputs, segments, segment), findings.violations);
+            let splits = self.reading.segments[segment];
+            self.read(splits);
             let found = self.chains.follow(way)?;
             let is_there =
                 findings.check(found.is_ok(), || describe(way, found.err().unwrap_or(NONE)));
             if is_there {
                 self.keep_path()?;
-                self.check_vertices(way, findings)?;
+                self.check_vertices(way, splits, findings)?;
                 self.cover(way.segment);
             }
+            self.failing.segments[segment] = findings.violations > before;
         }
         Ok(())
     }
 
-    /// Searches for a chain between two inputs, along any subsegments; whether there is one.
-    pub fn find(&mut self, ends: [u32; 2]) -> AllocResult<bool> {
+    /// Searches for a chain between two inputs, along any subsegments, which is read as split or as
+    /// given. Returns true if there is one.
+    pub fn find(&mut self, ends: [u32; 2], splits: bool) -> AllocResult<bool> {
+        self.read(splits);
+        self.lead(ends, splits)
+    }
+
+    /// Searches for a chain along an edge of the extent's boundary, as [`Self::find`] does. Such
+    /// may bend through all inputs, where it does not lead straight on.
+    fn find_of_frame(&mut self, ends: [u32; 2]) -> AllocResult<bool> {
+        if self.find(ends, false)? {
+            return Ok(true);
+        }
+        let splits = self.reading.splits_any();
+        self.chains.read(self.roundings(splits), &[]);
+        self.lead(ends, splits)
+    }
+
+    fn lead(&mut self, ends: [u32; 2], splits: bool) -> AllocResult<bool> {
         let are_vertices = ends.iter().all(|&end| (end as usize) < self.view.vertex_count());
         if !are_vertices || ends[0] == ends[1] {
             return Ok(false);
@@ -136,7 +174,7 @@ impl<'a> Ways<'a> {
         }
         let way = Way { segment: NONE, ends };
         // Only vertices at crossings bend short edges.
-        let is_straight = !self.splits_crossings() && self.chains.is_short(way);
+        let is_straight = !splits && self.chains.is_short(way);
         let is_found = match is_straight {
             true => self.chains.lead_straight(way, self.inputs.distinct())?,
             false => self.chains.lead(way)?,
@@ -149,7 +187,8 @@ impl<'a> Ways<'a> {
 
     /// Returns true if a corner of a triangle of inputs is so near to the edge opposite that this
     /// may be bent through it.
-    pub fn is_needle(&self, [a, b, c]: [u32; 3]) -> AllocResult<bool> {
+    pub fn is_needle(&mut self, [a, b, c]: [u32; 3]) -> AllocResult<bool> {
+        self.read(true);
         for (ends, corner) in [([a, b], c), ([b, c], a), ([c, a], b)] {
             let way = Way { segment: NONE, ends };
             if !self.chains.is_short(way) && self.chains.is_near(way, corner, Nearness::Bent)? {
@@ -166,7 +205,11 @@ impl<'a> Ways<'a> {
         ends: [u32; 2],
         findings: &mut Findings,
     ) -> AllocResult<bool> {
-        let is_found = self.find(ends)?;
+        let splits = self.splits(facet);
+        let is_found = match facet {
+            NONE => self.find_of_frame(ends)?,
+            _ => self.find(ends, splits)?,
+        };
         findings.check(is_found, || {
             let [from, to] = ends;
             let message = message!(
@@ -176,7 +219,7 @@ impl<'a> Ways<'a> {
             Violation::new(ViolationKind::SegmentChain, message).vertex(from as usize)
         });
         if is_found {
-            self.check_vertices(Way { segment: NONE, ends }, findings)?;
+            self.check_vertices(Way { segment: NONE, ends }, splits, findings)?;
             self.cover(NONE);
         }
         Ok(is_found)
@@ -201,8 +244,7 @@ impl<'a> Ways<'a> {
     /// Checks that inputs on the chain that was found last are near its way, and other vertices
     /// within half a unit in the last place of the line between the inputs next to them. If
     /// crossings are split, they may be as far from the way as inputs.
-    fn check_vertices(&self, way: Way, findings: &mut Findings) -> AllocResult<()> {
-        let splits = self.splits_crossings();
+    fn check_vertices(&self, way: Way, splits: bool, findings: &mut Findings) -> AllocResult<()> {
         let mut from = 0;
         for to in 1..self.path.len() {
             let end = self.path[to];
@@ -238,10 +280,12 @@ impl<'a> Ways<'a> {
 
     /// Checks that every subsegment is on a chain, and of the first segment that has it. The
     /// boundary of a hull has subsegments of its own, and so have facets where they cross, if
-    /// crossings are split.
+    /// crossings are split, or where a side of a box leaves them that is bent through their inputs.
     pub fn check_owners(&self, findings: &mut Findings) {
         let boundary = &self.view.mesh.boundary;
-        let has_own = self.view.mesh.parameters.extent == Extent::Hull;
+        let parameters = &self.view.mesh.parameters;
+        let has_own = parameters.extent == Extent::Hull;
+        let meets = parameters.crossings == Crossings::Split || parameters.extent == Extent::Box;
         let is_of_frame = |ends: [u32; 2]| {
             let mut beside = self.faces.beside(self.view, ends);
             has_own && beside.any(|at| boundary.subfacet_parents[at as usize] == NONE)
@@ -249,8 +293,7 @@ impl<'a> Ways<'a> {
         for (at, (&[a, b], &parent)) in
             boundary.subsegments.iter().zip(&boundary.parents).enumerate()
         {
-            let is_own =
-                || is_of_frame([a, b]) || self.splits_crossings() && self.is_between_facets([a, b]);
+            let is_own = || is_of_frame([a, b]) || meets && self.is_between_facets([a, b]);
             let is_known = self.is_covered[at] || parent == NONE && is_own();
             findings.check(is_known && parent == self.owners[at], || {
                 let message = message!(
@@ -261,17 +304,4 @@ impl<'a> Ways<'a> {
             });
         }
     }
-}
-
-/// Returns for each distinct input true if a facet or segment of the caller's has it.
-fn held(inputs: &Inputs, outline: Option<Outline<'_>>) -> AllocResult<Vec<bool>> {
-    let mut is_held = filled(inputs.distinct(), false)?;
-    let Some(Outline { segments, facets, .. }) = outline else { return Ok(is_held) };
-    for &input in segments.inputs.as_flattened().iter().chain(&facets.inputs) {
-        let vertex = inputs.vertices().get(input as usize);
-        if let Some(is_held) = vertex.and_then(|&vertex| is_held.get_mut(vertex as usize)) {
-            *is_held = true;
-        }
-    }
-    Ok(is_held)
 }

@@ -55,7 +55,7 @@ pub fn check(data: &[u8]) {
     let mut space = match bytes.below(4) {
         0 => soup(&mut bytes),
         1 => pages(&mut bytes),
-        2 => cuboids(&mut bytes),
+        2 => cuboids(&mut bytes, options.seed),
         _ => cone(&mut bytes),
     };
     let count = (space.points.len() / 3) as u8;
@@ -134,8 +134,9 @@ fn pages(bytes: &mut Bytes<'_>) -> Space {
     space
 }
 
-/// Draws boxes on a lattice that share sides, nest, touch, or cross.
-fn cuboids(bytes: &mut Bytes<'_>) -> Space {
+/// Draws boxes on a lattice that share sides, nest, touch, or cross; for some seeds plates and rods
+/// that are some units in the last place thick.
+fn cuboids(bytes: &mut Bytes<'_>, seed: u64) -> Space {
     let mut space = Space::default();
     let unit = if bytes.once_in(4) { bytes.power_of_two() } else { 1.0 };
     let is_turned = bytes.once_in(2);
@@ -143,9 +144,18 @@ fn cuboids(bytes: &mut Bytes<'_>) -> Space {
     for _ in 0..1 + bytes.below(2) {
         let low = [(); 3].map(|()| (bytes.small() % 4) as f64);
         let size = [(); 3].map(|()| (1 + bytes.below(4)) as f64);
+        // Both rules for crossings have such seeds.
+        let lengths = match seed % 16 {
+            6 | 7 => Some([(); 3].map(|()| [1.0, 4.0, 4096.0, 2f64.powi(50)][bytes.below(4)])),
+            _ => None,
+        };
         let corners: [u32; 8] = std::array::from_fn(|at| {
             let [x, y, z]: [f64; 3] = std::array::from_fn(|axis| {
-                low[axis] + if at >> axis & 1 == 1 { size[axis] } else { 0.0 }
+                let side = if at >> axis & 1 == 1 { size[axis] } else { 0.0 };
+                match lengths {
+                    Some(lengths) => 1.0 + (low[axis] + side * lengths[axis]) * f64::EPSILON,
+                    None => low[axis] + side,
+                }
             });
             let turned = [cosine * x - sine * y, sine * x + cosine * y, z];
             let place = if is_turned { turned } else { [x, y, z] };

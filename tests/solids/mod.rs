@@ -15,6 +15,7 @@ mod labels;
 mod options;
 mod roundings;
 mod shapes;
+mod thin;
 
 use netmesh::options::Options;
 use netmesh::validate::validate_mesh;

@@ -4,7 +4,7 @@ use super::projection::Projection;
 use super::sides::Sides;
 use crate::arrangement::poll::Poll;
 use crate::error::Result;
-use crate::numerics::{Edges, cross, orientation, scale_by_power};
+use crate::numerics::{Edges, cross, orientation, scale_by_power, scale_of_differences};
 
 /// Sine of the largest angle between two triangles that roundings explain.
 pub(super) const ROUNDING: f64 = 1e-12;
@@ -58,10 +58,9 @@ impl Hinge<'_> {
         let ([a, b], [c, d]) = (self.edge, self.apexes);
         let volume = Edges::new(a, [b, c, d].into_iter()).determinant_of_components();
         let normals = [c, d].map(|apex| scaled_norm(normal([a, b, apex])));
-        let edge = scaled_norm([0, 1, 2].map(|k| {
-            let half = 0.5 * b[k] - 0.5 * a[k];
-            (half, 1)
-        }));
+        let scale = scale_of_differences([a, b]);
+        let halvings = i64::from(scale < 1.0);
+        let edge = scaled_norm([0, 1, 2].map(|k| (scale * b[k] - scale * a[k], halvings)));
         let exponent = volume.1 + edge.1 - normals[0].1 - normals[1].1;
         scale_by_power(volume.0.abs() * edge.0 / (normals[0].0 * normals[1].0), exponent)
     }

@@ -10,7 +10,7 @@ use crate::arrangement::poll::Poll;
 use crate::error::Result;
 use crate::memory::{AllocResult, Lists, TryGrow, collected, copied, filled, with_capacity};
 use crate::mesh::{Facets, HoleFilling, Inputs, NONE, Segments};
-use crate::numerics::cross;
+use crate::numerics::{cross, scale_of_differences};
 
 /// Returns the triangles that close the holes of facets that have at most `max_edges` edges. Each
 /// has the corners of its hole alone, and runs through the edges of the hole against the facets
@@ -93,7 +93,8 @@ impl<'a> Frame<'a> {
 
     /// Returns the direction to a point as a number from 0 to 4, which grows counterclockwise.
     fn turn(&self, x: &[f64; 3]) -> f64 {
-        let way: [f64; 3] = std::array::from_fn(|k| 0.5 * x[k] - 0.5 * self.center[k]);
+        let scale = scale_of_differences([x, self.center]);
+        let way: [f64; 3] = std::array::from_fn(|k| scale * x[k] - scale * self.center[k]);
         let longest = way.iter().fold(0.0f64, |longest, step| longest.max(step.abs()));
         let [first, second] = self.axes.each_ref();
         let size = |axis: &[f64; 3]| axis.iter().map(|x| x * x).sum::<f64>().sqrt();

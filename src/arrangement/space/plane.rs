@@ -2,7 +2,9 @@
 
 use super::projection::Projection;
 use crate::arrangement::reach::{NEAR, unit_in_last_place};
-use crate::numerics::{Edges, affine_basis, distance, norm, orientation, scale_by_power};
+use crate::numerics::{
+    Edges, affine_basis, distance, norm, orientation, scale_by_power, scale_of_differences,
+};
 
 /// Plane through three vertices of a polygon that are far from each other.
 #[derive(Clone, Copy)]
@@ -121,7 +123,10 @@ impl<'a> Gauge<'a> {
 
     /// Returns a number that grows with the height of a point above the plane, but for roundings.
     pub fn height(&self, x: &[f64; 3]) -> f64 {
-        (0..3).map(|k| self.normal[k] * (0.5 * x[k] - 0.5 * self.base[0][k])).sum()
+        let base = self.base[0];
+        let scale = scale_of_differences([base, x]);
+        let sum: f64 = (0..3).map(|k| self.normal[k] * (scale * x[k] - scale * base[k])).sum();
+        sum / scale
     }
 
     /// Returns the distance of a point from the plane, first in what rounding explains at most, and
@@ -168,10 +173,11 @@ fn area(projection: Projection, corners: [&[f64; 3]; 3]) -> (f64, i64) {
 
 /// Returns a number that grows with the distance of a point from a line, but for roundings.
 pub(super) fn from_line([a, b]: [&[f64; 3]; 2], x: &[f64; 3]) -> f64 {
-    let way: [f64; 3] = std::array::from_fn(|k| 0.5 * b[k] - 0.5 * a[k]);
+    let scale = scale_of_differences([a, b, x]);
+    let way: [f64; 3] = std::array::from_fn(|k| scale * b[k] - scale * a[k]);
     let longest = way.iter().fold(0.0f64, |longest, step| longest.max(step.abs()));
     let u = way.map(|step| step / longest);
-    let v: [f64; 3] = std::array::from_fn(|k| (0.5 * x[k] - 0.5 * a[k]) / longest);
+    let v: [f64; 3] = std::array::from_fn(|k| (scale * x[k] - scale * a[k]) / longest);
     let cross = |k: usize| u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
     norm(&[cross(0), cross(1), cross(2)])
 }

@@ -1,6 +1,6 @@
 //! Projections of space along an axis, which are exact: they drop a coordinate.
 
-use crate::numerics::{Sign, cross, dot, norm, orientation};
+use crate::numerics::{Sign, cross, dot, norm, orientation, scale_of_differences};
 
 /// Projection along an axis. Triangles that turn counterclockwise in it have a normal with a
 /// positive component on this axis.
@@ -36,8 +36,10 @@ impl Projection {
         let point = |&input: &u32| &points[vertex(input) as usize];
         let of_all = || loops.clone().flatten().map(point);
         let origin = of_all().next().unwrap_or(&[0.0; 3]);
-        let way =
-            |x: &[f64; 3]| -> [f64; 3] { std::array::from_fn(|k| 0.5 * x[k] - 0.5 * origin[k]) };
+        let scale = scale_of_differences(of_all());
+        let way = |x: &[f64; 3]| -> [f64; 3] {
+            std::array::from_fn(|k| scale * x[k] - scale * origin[k])
+        };
         let longest = of_all().flat_map(&way).fold(0.0f64, |longest, x| longest.max(x.abs()));
         let mut largest = [0.0; 3];
         for own in loops.clone() {

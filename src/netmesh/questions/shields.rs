@@ -17,7 +17,7 @@ use crate::netmesh::state::facets::meetings::TinyAngles;
 use crate::netmesh::state::facets::plane::power_below;
 use crate::netmesh::state::facets::shields::Shield;
 use crate::netmesh::state::segments::chain::Fraction;
-use crate::numerics::{cross, distance, dot, norm};
+use crate::numerics::{cross, distance, dot, norm, scale_of_differences};
 
 /// Length of a subsegment at an end of its line, relative to the line, below which the end gets a
 /// shield, if facets are fins there. The later it comes, the more vertices there are: three facets
@@ -71,7 +71,8 @@ struct Sector {
 /// Returns the way between two points, divided by a power of two: its length is some units, so that
 /// products of several ways neither overflow nor vanish.
 fn scaled_way(from: &[f64; 3], to: &[f64; 3]) -> [f64; 3] {
-    let way: [f64; 3] = std::array::from_fn(|k| 0.5 * to[k] - 0.5 * from[k]);
+    let scale = scale_of_differences([from, to]);
+    let way: [f64; 3] = std::array::from_fn(|k| scale * to[k] - scale * from[k]);
     let power = power_below(way.iter().fold(0.0, |most: f64, x| most.max(x.abs())));
     way.map(|x| x / power)
 }

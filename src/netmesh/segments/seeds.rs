@@ -4,10 +4,9 @@
 
 use crate::complex::{SimplexId, VertexId};
 use crate::error::{Choice, Error, ErrorKind, Message, Name, Result, say};
-use crate::memory::{TryGrow, filled, with_capacity};
+use crate::memory::{AllocResult, TryGrow, filled, with_capacity};
 use crate::mesh::{NONE, Region};
 use crate::netmesh::state::segments::regions::OUTSIDE;
-use crate::netmesh::state::segments::walls::Walls;
 use crate::netmesh::state::segments::{At, Seed};
 use crate::netmesh::state::{Mesher, State};
 use crate::numerics::{Sign, orientation};
@@ -165,7 +164,7 @@ impl<const D: usize> State<D> {
     /// Refuses a seed on a segment, which is in no region. `simplex` holds it.
     fn refuse_on_segment(&self, number: u32, x: &[f64; D], simplex: SimplexId) -> Result<()> {
         let wall = match self.as_space() {
-            Some(state) => state.facet_under(&std::array::from_fn(|axis| x[axis]), simplex),
+            Some(state) => state.facet_under(&std::array::from_fn(|axis| x[axis]), simplex)?,
             None => self
                 .line_under(x, simplex)
                 .map(|line| self.segments.chains.lines[line as usize].segment),
@@ -203,20 +202,25 @@ impl<const D: usize> State<D> {
 
 impl State<3> {
     /// Returns the caller's facet that a point of the closure of `simplex` is on; [`NONE`] for a
-    /// side of the hull or box.
-    fn facet_under(&self, x: &[f64; 3], simplex: SimplexId) -> Option<u32> {
+    /// side of the hull or box. On an edge or at a vertex of a facet it may be that no face of the
+    /// simplex is of that facet.
+    fn facet_under(&self, x: &[f64; 3], simplex: SimplexId) -> AllocResult<Option<u32>> {
         let vertices = self.delaunay.complex().vertices(simplex);
-        let walls = Walls { chains: &self.segments.chains, facets: &self.facets };
         let is_on = |index: usize| {
             let mut points: [&[f64; 3]; 4] =
                 std::array::from_fn(|at| self.delaunay.point(vertices[at]));
             points[index] = x;
             orientation(&points) == Sign::Zero
         };
-        let mut faces = walls.subfacets_of(vertices).into_iter().enumerate();
-        let face = faces.find_map(|(index, seen)| seen.filter(|_| is_on(index)));
-        let facet = face.map(|(subfacet, _)| self.facets.get(subfacet).facet);
-        facet.map(|facet| self.facets.facets[facet as usize].parent)
+        // The vertices of the face that has the point in its interior.
+        let carrier = || (0..4).filter(|&index| !is_on(index)).map(|index| vertices[index]);
+        let (Some(first), false) = (carrier().next(), carrier().count() == 4) else {
+            return Ok(None);
+        };
+        let subfacets_at = self.facets.subfacets_at_vertices(self.delaunay.point_count())?;
+        let mut own = subfacets_at.of(first.index()).iter().map(|&own| self.facets.get(own));
+        let found = own.find(|own| carrier().all(|vertex| own.vertices.contains(&vertex)));
+        Ok(found.map(|own| self.facets.facets[own.facet as usize].parent))
     }
 }
 

@@ -16,6 +16,15 @@ pub fn distance<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
     norm(&std::array::from_fn::<f64, D, _>(|i| a[i] - b[i]))
 }
 
+/// Returns what coordinates are to be multiplied by so that no difference of them overflows: 1
+/// mostly, since halves of the smallest doubles are nothing, and 1/2 for the largest.
+pub fn scale_of_differences<'a, const D: usize>(
+    points: impl IntoIterator<Item = &'a [f64; D]>,
+) -> f64 {
+    let is_large = |x: &f64| x.abs() > 0.5 * f64::MAX;
+    if points.into_iter().flatten().any(is_large) { 0.5 } else { 1.0 }
+}
+
 /// Returns the Euclidean length of a vector; infinite only if a component is or if the true length,
 /// rounded, exceeds `f64::MAX`. Relative error at most n + 3 units of roundoff for n components, or
 /// 2^-1074 absolutely where the result is subnormal. Zero iff all components are.

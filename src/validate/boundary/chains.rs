@@ -214,6 +214,7 @@ impl<'a, const D: usize> Chains<'a, D> {
         to: u32,
         nearness: Nearness,
     ) -> AllocResult<bool> {
+        let bends = matches!(nearness, Nearness::Near | Nearness::Bent);
         self.searches += 1;
         self.waiting.clear();
         self.waiting.try_push(from)?;
@@ -221,19 +222,19 @@ impl<'a, const D: usize> Chains<'a, D> {
             if vertex == to {
                 return self.append_way(from, to);
             }
-            // Those of no segment come last, and so go first: they are the extent's own. Before them
-            // come vertices that bend the way.
+            // Those of no segment come last, and so go first: they are the extent's own. Vertices
+            // that bend the way come before all others.
             let (at, parents) = (self.at, &self.view.mesh.boundary.parents);
             let of_none = |subsegment: &&u32| parents[**subsegment as usize] == NONE;
             let at_vertex = || at.of(vertex as usize).iter();
             let others = at_vertex().filter(|subsegment| !of_none(subsegment));
             let all = others.chain(at_vertex().filter(of_none));
-            for is_straight in [false, true] {
+            for &is_straight in if bends { &[false, true][..] } else { &[true] } {
                 for &subsegment in all.clone() {
                     let next = self.next_of_gap(way, subsegment, [vertex, to], nearness)?;
                     let is_new = |next: &u32| self.reached[*next as usize].1 != self.searches;
                     let Some(next) = next.filter(is_new) else { continue };
-                    if self.is_near(way, next, Nearness::Rounded)? == is_straight {
+                    if !bends || self.is_near(way, next, Nearness::Rounded)? == is_straight {
                         self.reached[next as usize] = (vertex, self.searches);
                         self.waiting.try_push(next)?;
                     }

@@ -9,10 +9,11 @@ use super::super::pieces::{Piece, Pieces};
 use super::super::plane::{Gauge, units_of};
 use super::super::projection::Projection;
 use crate::arrangement::poll::Poll;
+use crate::arrangement::reach::Reach;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected};
 use crate::nearest::{Bounds, bounds_of};
-use crate::numerics::norm;
+use crate::numerics::{norm, orientation};
 use std::array::from_fn;
 
 /// Number of units in the last place by which boxes are larger than pieces, so that those meet that
@@ -131,6 +132,7 @@ impl Coplanar {
 
 /// Returns the axis along which two triangles are projected that share an area, in one plane but
 /// for roundings: the vertices of the smaller are near the plane of the larger. `None` for others.
+/// Triangles so small that rounding explains no gap beside their edges are in one plane exactly.
 fn axis_of_common_area(points: &[[f64; 3]], images: &Images, both: [[u32; 3]; 2]) -> Option<usize> {
     let corners = both.map(|own| own.map(|vertex| &points[vertex as usize]));
     let units = units_of(corners.into_iter().flatten());
@@ -154,5 +156,11 @@ fn axis_of_common_area(points: &[[f64; 3]], images: &Images, both: [[u32; 3]; 2]
     // Triangles of one plane are many, and few of them share an area.
     let meeting = meet(&images.0[axis], &both[0], &both[1])?;
     let gauge = meeting.is_area().then(|| Gauge::new(large, units))?;
-    small.iter().all(|x| gauge.measure(x).0 <= 1.0).then_some(axis)
+    let [low, high] = bounds_of(corners.into_iter().flatten());
+    let is_long = Reach::of([&low, &high]).is_long();
+    let is_on = |x: &[f64; 3]| {
+        let [a, b, c] = large;
+        orientation(&[a, b, c, x]).is_zero() || is_long && gauge.measure(x).0 <= 1.0
+    };
+    small.iter().all(|x| is_on(x)).then_some(axis)
 }

@@ -4,10 +4,10 @@
 //!   has the subsegments and subfacets of its simplices.
 //! - Level 2, `faces`: subsegments are edges and subfacets faces of the mesh, which is exactly
 //!   Delaunay; `ways`: chains of subsegments lead along segments and along the edges of facets, and
-//!   there are no others, by the `reading` of each; `groups`: which triangles of a surface are one facet; `tiling`: the
-//!   subfacets of a facet, which `tiles` finds, tile it in the projection along an axis; `plane`:
-//!   their vertices are as near to its plane as rounding lets them be; `frame`: the boundary of a
-//!   hull or box.
+//!   there are no others, each as given or split by its `reading`; `groups`: which triangles of a
+//!   surface are one facet; `tiling`: the subfacets of a facet, which `tiles` finds, tile it in the
+//!   projection along an axis; `plane`: their vertices are as near to its plane as rounding lets
+//!   them be; `frame`: the boundary of a hull or box.
 //! - Level 3: what regions have in common with the plane's, with the volumes of labels; `frame`:
 //!   the volume of a hull, by [`hull`], or box; `flat`: the simplices within facets; `forced`:
 //!   those that small angles excuse.

@@ -174,10 +174,13 @@ impl<'a> Ways<'a> {
         }
         let way = Way { segment: NONE, ends };
         // Only vertices at crossings bend short edges.
-        let is_straight = !splits && self.chains.is_short(way);
-        let is_found = match is_straight {
-            true => self.chains.lead_straight(way, self.inputs.distinct())?,
-            false => self.chains.lead(way)?,
+        let is_found = match (self.chains.is_short(way), splits) {
+            (true, false) => self.chains.lead_straight(way, self.inputs.distinct())?,
+            (true, true) => {
+                self.chains.read(self.crossings, &self.reading.is_held);
+                self.chains.lead(way)?
+            }
+            (false, _) => self.chains.lead(way)?,
         };
         if is_found {
             self.keep_path()?;

@@ -103,9 +103,9 @@ impl Corners {
     }
 }
 
-/// Returns true if each facet, with the triangles that others have in its place, ends where it does.
-/// Those of both sides of a plate of some units in the last place do not: each has corners of its
-/// own, which no edge of the other goes through. O(n log n).
+/// Returns true if each facet, with the triangles that others have in its place, ends where it did.
+/// Sides of a plate of some units in the last place do not: each has corners of its own, which no
+/// edge of the other goes through. O(n log n).
 pub(super) fn are_whole(pieces: &Pieces, pairs: &[[u32; 2]], poll: Poll<'_>) -> Result<bool> {
     let is_borrowed = borrowed(pieces, pairs)?;
     let facet = |piece: u32| pieces.all[piece as usize].facet();

@@ -1,8 +1,8 @@
-//! How facets and segments are read. If crossings are split, what is nearer than roundings may have
-//! become one, or not: a plate of some units in the last place may stay as it is, beside others
-//! that were split. So each facet and segment is first read as given: it goes through none of the
-//! inputs that others have, and roundings excuse nothing. Where all holds no more is to ask; the
-//! others are read as split.
+//! Facets and segments are read as given or as split. If crossings are split, what is nearer than
+//! roundings may have become one, or not: a plate of some units in the last place may stay as it
+//! is, beside others that were split. So each facet and segment is first read as given: it goes
+//! through none of the inputs that others have, and roundings excuse nothing. Where all holds no
+//! more is to ask; the others are read as split.
 
 use super::super::Outline;
 use crate::memory::{AllocResult, filled};

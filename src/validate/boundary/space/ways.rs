@@ -21,7 +21,7 @@ pub(super) struct Ways<'a> {
     pub faces: &'a Faces,
     pub inputs: &'a Inputs,
     reading: &'a Reading,
-    /// What rounding explains of what was split.
+    /// Roundings of what was split.
     crossings: Roundings<3>,
     chains: Chains<'a, 3>,
     /// Vertices of the chain that was found last.

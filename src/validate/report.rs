@@ -341,15 +341,21 @@ pub(super) struct Findings {
     pub violations: u64,
     pub checked: u64,
     pub first: Option<Violation>,
+    counts_only: bool,
 }
 
 impl Findings {
+    /// Returns findings that keep no violation: a message needs memory, and nobody would read it.
+    pub fn counting() -> Self {
+        Self { counts_only: true, ..Self::default() }
+    }
+
     /// Records one check; returns whether it held.
     pub fn check(&mut self, holds: bool, violation: impl FnOnce() -> Violation) -> bool {
         self.checked += 1;
         if !holds {
             self.violations += 1;
-            if self.first.is_none() {
+            if self.first.is_none() && !self.counts_only {
                 self.first = Some(violation());
             }
         }
@@ -408,5 +414,8 @@ mod tests {
         assert!(!findings.check(false, || unreachable!()));
         assert_eq!((findings.checked, findings.violations), (3, 2));
         assert_eq!(findings.first.unwrap().simplex, 4);
+        let mut counting = Findings::counting();
+        assert!(!counting.check(false, || unreachable!()));
+        assert_eq!((counting.violations, counting.first), (1, None));
     }
 }

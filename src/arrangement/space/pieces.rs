@@ -13,7 +13,6 @@ use crate::arrangement::poll::Poll;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected, with_capacity};
 use crate::mesh::{Feature, Intersection, IntersectionKind};
-use std::ops::Range;
 
 /// Triangle or segment between vertices, a part of a feature.
 #[derive(Clone, Copy, Debug)]
@@ -119,14 +118,6 @@ impl Pieces {
             }
         }
         Ok(pieces)
-    }
-
-    /// Returns the numbers of the pieces of a facet.
-    pub fn of_facet(&self, facet: u32) -> Range<usize> {
-        let end_before = |most: u32| {
-            self.all.partition_point(|piece| piece.facet().is_some_and(|own| own < most))
-        };
-        end_before(facet)..end_before(facet + 1)
     }
 
     /// Returns the first polygon that is not plane, and bent by more than the task allows. Those

@@ -5,12 +5,9 @@ use super::super::crossed::point_over;
 use super::super::meet::{Face, corner, meet};
 use super::super::pieces::{Piece, Pieces};
 use super::super::projection::Projection;
-use super::super::sides::Sides;
 use super::corners::{Corner, Corners, edge_of};
 use super::finest::finest;
 use super::owners::Owners;
-use crate::arrangement::poll::Poll;
-use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected, filled};
 use crate::mesh::NONE;
 
@@ -103,46 +100,6 @@ impl Corners {
     }
 }
 
-/// Returns true if each facet, with the triangles that others have in its place, ends where it did.
-/// Sides of a plate of some units in the last place do not: each has corners of its own, which no
-/// edge of the other goes through. O(n log n).
-pub(super) fn are_whole(pieces: &Pieces, pairs: &[[u32; 2]], poll: Poll<'_>) -> Result<bool> {
-    let is_borrowed = borrowed(pieces, pairs)?;
-    let facet = |piece: u32| pieces.all[piece as usize].facet();
-    let lent = pairs.iter().filter(|pair| !is_borrowed[pair[0] as usize]);
-    let lent = lent.filter_map(|&[one, other]| Some((facet(other)?, one)));
-    let mut lent = collected(lent)?;
-    lent.sort_unstable();
-    lent.dedup();
-    for lent in lent.chunk_by(|a, b| a.0 == b.0) {
-        let own = pieces.of_facet(lent[0].0);
-        let kept = own.clone().filter(|&piece| !is_borrowed[piece]);
-        let tiles = kept.chain(lent.iter().map(|&(_, piece)| piece as usize));
-        let tiles = sides_of(pieces, tiles, poll)?;
-        if !sides_of(pieces, own, poll)?.rim().eq(tiles.rim()) {
-            return Ok(false);
-        }
-    }
-    Ok(true)
-}
-
-/// Returns the sides of those pieces that are triangles.
-fn sides_of(
-    pieces: &Pieces,
-    numbers: impl Iterator<Item = usize>,
-    poll: Poll<'_>,
-) -> Result<Sides> {
-    let triangles = collected(numbers.filter_map(|piece| pieces.all[piece].triangle()))?;
-    Sides::of_triangles(&triangles, poll)
-}
-
-/// Returns for each piece true if an earlier one has its area.
-fn borrowed(pieces: &Pieces, pairs: &[[u32; 2]]) -> AllocResult<Vec<bool>> {
-    let mut is_borrowed = filled(pieces.all.len(), false)?;
-    pairs.iter().for_each(|pair| is_borrowed[pair[1] as usize] = true);
-    Ok(is_borrowed)
-}
-
 /// Leaves the areas of pairs of triangles to the first of each, which has the balances of all that
 /// share it: the others are borrowed. O(n log n).
 pub(super) fn leave_to_first(
@@ -150,7 +107,8 @@ pub(super) fn leave_to_first(
     pieces: &mut Pieces,
     pairs: &[[u32; 2]],
 ) -> AllocResult<()> {
-    let is_borrowed = borrowed(pieces, pairs)?;
+    let mut is_borrowed = filled(pieces.all.len(), false)?;
+    pairs.iter().for_each(|pair| is_borrowed[pair[1] as usize] = true);
     let kept = pairs.iter().filter(|pair| !is_borrowed[pair[0] as usize]);
     let step = |&[one, other]: &[u32; 2]| {
         let [own, over] = [one, other].map(|piece| &pieces.all[piece as usize]);

@@ -40,7 +40,7 @@ use crate::arrangement::poll::Poll;
 use crate::error::Result;
 use crate::memory::TryGrow;
 use crate::mesh::{Intersection, IntersectionKind};
-use areas::{are_whole, leave_to_first};
+use areas::leave_to_first;
 use coplanar::Coplanar;
 use corners::Corners;
 use needles::needles;
@@ -87,13 +87,11 @@ pub(super) fn split(
         let needles = needles(points, task, &on)?;
         let is_whole = pieces.faults.iter().all(has_no_area) && needles.is_empty();
         if corners.all.is_empty() && corners.areas.are_tiled() && is_whole {
-            let pairs = &corners.areas.pairs;
-            let is_kept = are_whole(&pieces, pairs, poll)?
-                && is_sound(points, task, &pieces, &owners, &on, meets_exactly, poll)?;
-            if is_kept {
-                leave_to_first(points, &mut pieces, pairs)?;
+            if !is_sound(points, task, &pieces, &owners, &on, meets_exactly, poll)? {
+                return Ok(None);
             }
-            return Ok(is_kept.then_some(pieces));
+            leave_to_first(points, &mut pieces, &corners.areas.pairs)?;
+            return Ok(Some(pieces));
         }
         if corners.all.len() > most {
             return Ok(None);

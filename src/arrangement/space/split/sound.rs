@@ -51,6 +51,7 @@ pub(super) fn is_sound(
         if let Feature::Facet(facet) = own[0].feature {
             let is_whole =
                 is_wider_than_bends(points, task, on, facet, (roundings, !meets_exactly))
+                    && goes_beside_no_corner(points, task, facet, own, &owners.roundings)
                     && own.iter().any(|piece| piece.triangle().is_some())
                     && is_flat(points, task, facet, own, roundings)
                     && ends_at_its_edges(task, on, facet, own, poll)?;
@@ -95,6 +96,32 @@ fn is_wider_than_bends(
                 !is_beside(&points[corner as usize]) || is_on()
             })
         })
+    })
+}
+
+/// Returns true if a facet goes through no input of others that is as near to one of its corners as
+/// an edge may be bent: which of both is the end of an edge is not to be told. They are one vertex
+/// if the caller merges points.
+fn goes_beside_no_corner(
+    points: &[[f64; 3]],
+    task: &TaskInSpace<'_>,
+    facet: u32,
+    own: &[Piece],
+    roundings: &Roundings,
+) -> bool {
+    let vertex = |&input: &u32| task.inputs.vertices()[input as usize];
+    let corners = task.facets.loops(facet as usize).flatten().map(vertex);
+    let is_at = |corner: u32, vertex: u32| {
+        let [x, y] = [corner, vertex].map(|at| &points[at as usize]);
+        let units = roundings.units_of([x, y].into_iter());
+        corner != vertex && (0..3).all(|k| (x[k] - y[k]).abs() <= MISTAKEN * units[k])
+    };
+    let inputs = own.iter().flat_map(Piece::vertices).copied();
+    let mut others = inputs.filter(|&vertex| (vertex as usize) < task.inputs.distinct());
+    // Corners of one facet may be as near to each other as they like.
+    !others.any(|other| {
+        corners.clone().all(|corner| corner != other)
+            && corners.clone().any(|corner| is_at(corner, other))
     })
 }
 

@@ -51,23 +51,22 @@ pub(super) fn check_geometry(
     view: View<'_, 3>,
     findings: &mut Findings,
 ) -> AllocResult<Reading> {
-    let mut reading = Reading::as_given(inputs, outline)?;
     if !has_boundary(outline, view) {
-        return Ok(reading);
+        return Ok(Reading::default());
     }
     let faces = Faces::new(view)?;
     faces::check(view, &faces, findings)?;
-    let mut own = Findings::default();
-    let Failing { facets, segments } =
-        check_reading(inputs, outline, view, &faces, &reading, &mut own)?;
+    let mut reading = Reading::as_given(inputs, outline, view, &faces)?;
     if view.mesh.parameters.crossings == Crossings::Split {
-        (reading.facets, reading.segments) = (facets, segments);
+        let mut as_given = Findings::counting();
+        let failing = check_reading(inputs, outline, view, &faces, &reading, &mut as_given)?;
+        if as_given.clean() {
+            findings.merge(as_given);
+            return Ok(reading);
+        }
+        (reading.facets, reading.segments) = (failing.facets, failing.segments);
     }
-    if reading.splits_any() {
-        own = Findings::default();
-        check_reading(inputs, outline, view, &faces, &reading, &mut own)?;
-    }
-    findings.merge(own);
+    check_reading(inputs, outline, view, &faces, &reading, findings)?;
     Ok(reading)
 }
 
@@ -141,7 +140,7 @@ fn steps(
     let mut steps = filled(boundary.subfacets.len(), 0)?;
     let mut ways = Ways::new(inputs, view, faces, reading)?;
     // Level 2 has said what is to say.
-    let mut known = Findings::default();
+    let mut known = Findings::counting();
     each_facet(outline.facets, &mut ways, &mut known, |facet, balance, ways, known| {
         let (rim, _) = tiling::expected_rim(facet, ways, known)?;
         for tile in tiles::tiles(facet, &rim, ways)? {

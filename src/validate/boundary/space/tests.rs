@@ -69,7 +69,7 @@ fn areas_are_those_of_facets() {
     };
     let facet = given::polygon(&inputs, &square, 0).unwrap().unwrap();
     let faces = Faces::new(view).unwrap();
-    let reading = Reading::as_given(&inputs, None).unwrap();
+    let reading = Reading::as_given(&inputs, None, view, &faces).unwrap();
     let ways = Ways::new(&inputs, view, &faces, &reading).unwrap();
     let check = |subfacets: &[[u32; 3]]| {
         let mut findings = Findings::default();

@@ -100,7 +100,7 @@ impl<'a> Ways<'a> {
 
     /// Follows chains of a facet or segment that is read as split, or as given.
     fn read(&mut self, splits: bool) {
-        let is_firm = if splits { &[][..] } else { &self.reading.is_held[..] };
+        let is_firm = if splits { &[][..] } else { &self.reading.is_firm[..] };
         self.chains.read(self.roundings(splits), is_firm);
     }
 
@@ -177,7 +177,8 @@ impl<'a> Ways<'a> {
         let is_found = match (self.chains.is_short(way), splits) {
             (true, false) => self.chains.lead_straight(way, self.inputs.distinct())?,
             (true, true) => {
-                self.chains.read(self.crossings, &self.reading.is_held);
+                let inputs = self.inputs.distinct().min(self.reading.is_firm.len());
+                self.chains.read(self.crossings, &self.reading.is_firm[..inputs]);
                 self.chains.lead(way)?
             }
             (false, _) => self.chains.lead(way)?,

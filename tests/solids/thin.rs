@@ -171,18 +171,22 @@ fn boxes_about_plates_have_their_own_edges() {
         ],
     );
     let (low, wide, far) = (524_288.0, 1_048_576.0, 2f64.powi(51));
+    let with_first_turned = |(points, triangles): (Vec<Point>, Vec<[u32; 3]>)| {
+        (points, [&with_other_diagonals(&triangles[..12]), &triangles[12..]].concat())
+    };
     for (points, triangles) in [
         (low_plate, of_one.clone()),
         (rod, of_one),
-        both(([21.0, 38.0, 36.0], [24.0, 8.0, 5.0]), ([low, low, 19.0], [far, wide, 24.0])),
-        both(
+        with_first_turned(both(
+            ([21.0, 38.0, 36.0], [24.0, 8.0, 5.0]),
+            ([low, low, 19.0], [far, wide, 24.0]),
+        )),
+        with_first_turned(both(
             ([low, 25.0, 3.0], [5000.0, 24.0, 2f64.powi(40)]),
             ([2f64.powi(50), low, 0.0], [5000.0, far, 5000.0]),
-        ),
+        )),
     ] {
-        for triangles in [with_other_diagonals(&triangles), triangles] {
-            run(&points, &triangles, &Options { extent: Extent::Box, ..bounded(f64::INFINITY) });
-        }
+        run(&points, &triangles, &Options { extent: Extent::Box, ..bounded(f64::INFINITY) });
     }
 }
 

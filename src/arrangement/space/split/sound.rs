@@ -51,7 +51,7 @@ pub(super) fn is_sound(
         if let Feature::Facet(facet) = own[0].feature {
             let is_whole =
                 is_wider_than_bends(points, task, on, facet, (roundings, !meets_exactly))
-                    && goes_beside_no_corner(points, task, facet, own, &owners.roundings)
+                    && goes_beside_one_corner(points, task, facet, own, &owners.roundings)
                     && own.iter().any(|piece| piece.triangle().is_some())
                     && is_flat(points, task, facet, own, roundings)
                     && ends_at_its_edges(task, on, facet, own, poll)?;
@@ -99,10 +99,10 @@ fn is_wider_than_bends(
     })
 }
 
-/// Returns true if a facet goes through no input of others that is as near to one of its corners as
-/// an edge may be bent: which of both is the end of an edge is not to be told. They are one vertex
-/// if the caller merges points.
-fn goes_beside_no_corner(
+/// Returns true if a facet goes through no inputs of others that are as near to two of its corners as
+/// an edge may be bent: which of both ends the edge between these is not to be told. They are one
+/// vertex if the caller merges points.
+fn goes_beside_one_corner(
     points: &[[f64; 3]],
     task: &TaskInSpace<'_>,
     facet: u32,
@@ -116,13 +116,13 @@ fn goes_beside_no_corner(
         let units = roundings.units_of([x, y].into_iter());
         corner != vertex && (0..3).all(|k| (x[k] - y[k]).abs() <= MISTAKEN * units[k])
     };
-    let inputs = own.iter().flat_map(Piece::vertices).copied();
-    let mut others = inputs.filter(|&vertex| (vertex as usize) < task.inputs.distinct());
+    let own = || own.iter().flat_map(Piece::vertices).copied();
     // Corners of one facet may be as near to each other as they like.
-    !others.any(|other| {
-        corners.clone().all(|corner| corner != other)
-            && corners.clone().any(|corner| is_at(corner, other))
-    })
+    let is_other = |vertex: &u32| {
+        (*vertex as usize) < task.inputs.distinct() && corners.clone().all(|own| own != *vertex)
+    };
+    let is_beside = |corner: &u32| own().filter(is_other).any(|other| is_at(*corner, other));
+    corners.clone().filter(is_beside).count() < 2
 }
 
 /// Returns true if the vertices of a facet's triangles are near its plane, or as far from it as its

@@ -110,8 +110,8 @@ fn plates_that_cross_are_wider_than_bends() {
     }
 }
 
-/// Holds that a box which is there twice, some units from itself, is refused where edges of one could
-/// end at corners of the other, and is one if points are merged.
+/// Holds that a box which is there twice, some units from itself, is refused where edges of one may
+/// seem to end at corners of the other, and is one if points are merged.
 #[test]
 fn bodies_beside_themselves_are_to_be_merged() {
     let options = split(Extent::Boundary, f64::INFINITY);

@@ -99,9 +99,9 @@ fn is_wider_than_bends(
     })
 }
 
-/// Returns true if a facet goes through no inputs of others that are as near to two of its corners as
-/// an edge may be bent: which of both ends the edge between these is not to be told. They are one
-/// vertex if the caller merges points.
+/// Returns true if a facet goes through no inputs of others that are as near to two of its corners
+/// as an edge may be bent: which of both ends the edge between these is not to be told. They are
+/// one vertex if the caller merges points.
 fn goes_beside_one_corner(
     points: &[[f64; 3]],
     task: &TaskInSpace<'_>,

@@ -51,7 +51,7 @@ pub(super) fn is_sound(
         if let Feature::Facet(facet) = own[0].feature {
             let is_whole =
                 is_wider_than_bends(points, task, on, facet, (roundings, !meets_exactly))
-                    && goes_beside_one_corner(points, task, facet, own, &owners.roundings)
+                    && goes_beside_one_corner_at_most(points, task, facet, own, &owners.roundings)
                     && own.iter().any(|piece| piece.triangle().is_some())
                     && is_flat(points, task, facet, own, roundings)
                     && ends_at_its_edges(task, on, facet, own, poll)?;
@@ -61,6 +61,12 @@ pub(super) fn is_sound(
         }
     }
     Ok(true)
+}
+
+/// Returns the vertices of the inputs of a facet.
+fn corners_of(task: &TaskInSpace<'_>, facet: u32) -> impl Iterator<Item = u32> + Clone {
+    let vertices = task.inputs.vertices();
+    task.facets.loops(facet as usize).flatten().map(|&input| vertices[input as usize])
 }
 
 /// Returns true if no corner of a facet is as near to another of its edges as that may be bent: led
@@ -74,7 +80,7 @@ fn is_wider_than_bends(
     (roundings, all): (&Roundings, bool),
 ) -> bool {
     let vertex = |&input: &u32| task.inputs.vertices()[input as usize];
-    let corners = task.facets.loops(facet as usize).flatten().map(vertex);
+    let corners = corners_of(task, facet);
     task.facets.loops(facet as usize).all(|own| {
         (0..own.len()).all(|at| {
             let edge = [at, (at + 1) % own.len()].map(|at| vertex(&own[at]));
@@ -102,15 +108,14 @@ fn is_wider_than_bends(
 /// Returns true if a facet goes through no inputs of others that are as near to two of its corners
 /// as an edge may be bent: which of both ends the edge between these is not to be told. They are
 /// one vertex if the caller merges points.
-fn goes_beside_one_corner(
+fn goes_beside_one_corner_at_most(
     points: &[[f64; 3]],
     task: &TaskInSpace<'_>,
     facet: u32,
     own: &[Piece],
     roundings: &Roundings,
 ) -> bool {
-    let vertex = |&input: &u32| task.inputs.vertices()[input as usize];
-    let corners = task.facets.loops(facet as usize).flatten().map(vertex);
+    let corners = corners_of(task, facet);
     let is_at = |corner: u32, vertex: u32| {
         let [x, y] = [corner, vertex].map(|at| &points[at as usize]);
         let units = roundings.units_of([x, y].into_iter());
@@ -134,8 +139,7 @@ fn is_flat(
     own: &[Piece],
     roundings: &Roundings,
 ) -> bool {
-    let vertex = |&input: &u32| task.inputs.vertices()[input as usize];
-    let corners = task.facets.loops(facet as usize).flatten().map(vertex);
+    let corners = corners_of(task, facet);
     let corners = corners.map(|vertex| &points[vertex as usize]);
     let most = |size: &dyn Fn(&[f64; 3]) -> f64| {
         corners.clone().max_by(|x, y| size(x).total_cmp(&size(y)))

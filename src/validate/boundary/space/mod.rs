@@ -126,7 +126,7 @@ fn each_facet(
 /// share it.
 fn steps(
     inputs: &Inputs,
-    outline: Outline<'_>,
+    facets: &Facets,
     view: View<'_, 3>,
     faces: &Faces,
     reading: &Reading,
@@ -141,7 +141,7 @@ fn steps(
     let mut ways = Ways::new(inputs, view, faces, reading)?;
     // Level 2 has said what is to say.
     let mut known = Findings::counting();
-    each_facet(outline.facets, &mut ways, &mut known, |facet, balance, ways, known| {
+    each_facet(facets, &mut ways, &mut known, |facet, balance, ways, known| {
         let (rim, _) = tiling::expected_rim(facet, ways, known)?;
         for tile in tiles::tiles(facet, &rim, ways)? {
             let step = tile.times * balance;
@@ -167,8 +167,8 @@ pub(super) fn check_regions(
     let faces = Faces::new(view)?;
     if !boundary.simplex_regions.is_empty() {
         let steps = match outline {
-            Some(outline) if interior::is_asked(view) => {
-                Some(steps(inputs, outline, view, &faces, reading)?)
+            Some(Outline { facets, .. }) if interior::is_asked(view) => {
+                Some(steps(inputs, facets, view, &faces, reading)?)
             }
             _ => None,
         };

@@ -21,6 +21,7 @@ pub(super) struct Ways<'a> {
     pub faces: &'a Faces,
     pub inputs: &'a Inputs,
     reading: &'a Reading,
+    splits_any: bool,
     /// Roundings of what was split.
     crossings: Roundings<3>,
     chains: Chains<'a, 3>,
@@ -67,6 +68,7 @@ impl<'a> Ways<'a> {
             faces,
             inputs,
             reading,
+            splits_any: reading.splits_any(),
             crossings,
             chains,
             path,
@@ -90,7 +92,7 @@ impl<'a> Ways<'a> {
     /// Returns true if a facet is read as split; of the boundary of an extent, if any is.
     pub fn splits(&self, facet: u32) -> bool {
         let own = self.reading.facets.get(facet as usize).copied();
-        own.unwrap_or_else(|| self.reading.splits_any())
+        own.unwrap_or(self.splits_any)
     }
 
     /// Returns what rounding explains of what is read as split, or as given.
@@ -157,9 +159,8 @@ impl<'a> Ways<'a> {
         if self.find(ends, false)? {
             return Ok(true);
         }
-        let splits = self.reading.splits_any();
-        self.chains.read(self.roundings(splits), &[]);
-        self.lead(ends, splits)
+        self.chains.read(self.roundings(self.splits_any), &[]);
+        self.lead(ends, self.splits_any)
     }
 
     fn lead(&mut self, ends: [u32; 2], splits: bool) -> AllocResult<bool> {

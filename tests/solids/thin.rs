@@ -58,21 +58,33 @@ fn boxes_of_some_units_are_boxes() {
     }
 }
 
-/// Holds that a plate stays as it is where other bodies cross: of these all that met is split.
+/// Returns two boxes that cross, and far from them a thin one.
+fn plate_beside_what_crosses(size: [f64; 3]) -> (Vec<Point>, Vec<[u32; 3]>) {
+    let (mut points, mut triangles) = surface_of_box([[3.0; 3], [5.0; 3]], 0);
+    let others =
+        [surface_of_box([[4.0, 3.5, 3.5], [6.0, 4.5, 4.5]], 8), plate([3.0, 2.0, 2.0], size, 16)];
+    for (more, own) in others {
+        points.extend(more);
+        triangles.extend(own);
+    }
+    (points, triangles)
+}
+
+/// Holds that a thin body stays as it is where others cross: of these all that met is split. Where
+/// all its sides are of some units each of them is in the plane of each other but for roundings.
 #[test]
 fn plates_beside_what_crosses_are_plates() {
-    let (mut points, mut triangles) = surface_of_box([[3.0; 3], [5.0; 3]], 0);
-    let (more, others) = surface_of_box([[4.0, 3.5, 3.5], [6.0, 4.5, 4.5]], 8);
-    points.extend(more);
-    triangles.extend(others);
-    let (more, others) = plate([3.0, 2.0, 2.0], [2f64.powi(51), 16.0, 2f64.powi(51)], 16);
-    points.extend(more);
-    triangles.extend(others);
-    let made = run(&points, &triangles, &split(Extent::Boundary, f64::INFINITY));
-    let of_plate = made.boundary.subfacet_parents.iter().filter(|&&parent| parent >= 24);
-    assert!(of_plate.count() >= 12);
-    let (volume, plate) = (super::volume(&made), 16.0 * f64::EPSILON / 4.0);
-    assert!((volume - 9.0 - plate).abs() < 1e-13, "{volume}");
+    let whole = 2f64.powi(51);
+    for (size, least) in
+        [([whole, 16.0, whole], 16.0), ([3.0, 4.0, 3.0], 0.0), ([9.0, 4000.0, 7.0], 0.0)]
+    {
+        let (points, triangles) = plate_beside_what_crosses(size);
+        let made = run(&points, &triangles, &split(Extent::Boundary, f64::INFINITY));
+        let of_plate = made.boundary.subfacet_parents.iter().filter(|&&parent| parent >= 24);
+        assert!(of_plate.count() >= 12);
+        let (volume, plate) = (super::volume(&made), least * f64::EPSILON / 4.0);
+        assert!((volume - 9.0 - plate).abs() < 1e-13, "{volume}");
+    }
 }
 
 /// Holds that rods are what they were beside a plate from which they are apart by roundings: a wall

@@ -4,7 +4,7 @@
 
 use crate::complex::{SimplexId, VertexId};
 use crate::error::{Choice, Error, ErrorKind, Message, Name, Result, say};
-use crate::memory::{AllocResult, TryGrow, filled, with_capacity};
+use crate::memory::{AllocResult, Lists, TryGrow, filled, with_capacity};
 use crate::mesh::{NONE, Region};
 use crate::netmesh::state::segments::regions::OUTSIDE;
 use crate::netmesh::state::segments::{At, Seed};
@@ -53,6 +53,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         // Region -> the seed that is in it.
         let mut seed_of = filled(is_enclosed.len(), NONE)?;
         let mut near = self.state.delaunay.complex().incident(VertexId::new(0));
+        let mut subfacets_at = None;
         for (number, seed) in (0..).zip(seeds) {
             self.watch.poll_after(1)?;
             let x = std::array::from_fn(|axis| seed.seed[axis]);
@@ -60,7 +61,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             // Beyond the outer cage is more of what surrounds all segments.
             if let Some(simplex) = self.state.delaunay.simplex_at(near, &x) {
                 near = simplex;
-                self.state.refuse_on_segment(number, &x, simplex)?;
+                self.state.refuse_on_segment(number, &x, simplex, &mut subfacets_at)?;
                 let known = self.state.segments.regions.of(simplex);
                 region = known.expect("all regions are known");
             }
@@ -145,11 +146,12 @@ impl<const D: usize> State<D> {
     pub(in crate::netmesh) fn check_seeds(&self) -> Result<()> {
         let State { delaunay, segments, .. } = self;
         let mut near = delaunay.complex().incident(VertexId::new(0));
+        let mut subfacets_at = None;
         for seed in &segments.seeds {
             let x = std::array::from_fn(|axis| seed.x[axis]);
             let Some(simplex) = delaunay.simplex_at(near, &x) else { continue };
             near = simplex;
-            self.refuse_on_segment(seed.number, &x, simplex)?;
+            self.refuse_on_segment(seed.number, &x, simplex, &mut subfacets_at)?;
             if segments.regions.of(simplex) != Some(seed.region) {
                 let wall = wall::<D>();
                 return refuse(say!(
@@ -161,10 +163,20 @@ impl<const D: usize> State<D> {
         Ok(())
     }
 
-    /// Refuses a seed on a segment, which is in no region. `simplex` holds it.
-    fn refuse_on_segment(&self, number: u32, x: &[f64; D], simplex: SimplexId) -> Result<()> {
+    /// Refuses a seed on a segment, which is in no region. `simplex` holds it. `subfacets_at` is
+    /// filled for the first seed that needs it.
+    fn refuse_on_segment(
+        &self,
+        number: u32,
+        x: &[f64; D],
+        simplex: SimplexId,
+        subfacets_at: &mut Option<Lists>,
+    ) -> Result<()> {
         let wall = match self.as_space() {
-            Some(state) => state.facet_under(&std::array::from_fn(|axis| x[axis]), simplex)?,
+            Some(state) => {
+                let x = std::array::from_fn(|axis| x[axis]);
+                state.facet_under(&x, simplex, subfacets_at)?
+            }
             None => self
                 .line_under(x, simplex)
                 .map(|line| self.segments.chains.lines[line as usize].segment),
@@ -203,8 +215,14 @@ impl<const D: usize> State<D> {
 impl State<3> {
     /// Returns the caller's facet that a point of the closure of `simplex` is on; [`NONE`] for a
     /// side of the hull or box. On an edge or at a vertex of a facet it may be that no face of the
-    /// simplex is of that facet.
-    fn facet_under(&self, x: &[f64; 3], simplex: SimplexId) -> AllocResult<Option<u32>> {
+    /// simplex is of that facet, so that all at its vertices are asked: `subfacets_at` has them, and
+    /// is filled where it is `None`.
+    fn facet_under(
+        &self,
+        x: &[f64; 3],
+        simplex: SimplexId,
+        subfacets_at: &mut Option<Lists>,
+    ) -> AllocResult<Option<u32>> {
         let vertices = self.delaunay.complex().vertices(simplex);
         let is_on = |index: usize| {
             let mut points: [&[f64; 3]; 4] =
@@ -217,7 +235,13 @@ impl State<3> {
         let (Some(first), false) = (carrier().next(), carrier().count() == 4) else {
             return Ok(None);
         };
-        let subfacets_at = self.facets.subfacets_at_vertices(self.delaunay.point_count())?;
+        let subfacets_at = match subfacets_at {
+            Some(lists) => lists,
+            None => {
+                let count = self.delaunay.point_count();
+                subfacets_at.insert(self.facets.subfacets_at_vertices(count)?)
+            }
+        };
         let mut own = subfacets_at.of(first.index()).iter().map(|&own| self.facets.get(own));
         let found = own.find(|own| carrier().all(|vertex| own.vertices.contains(&vertex)));
         Ok(found.map(|own| self.facets.facets[own.facet as usize].parent))

@@ -8,7 +8,7 @@
 //! own coordinates.
 
 use super::ranked::ordered_bits;
-use crate::numerics::{crossing, offset_from_line, orientation};
+use crate::numerics::{crossing, offset_from_line, orientation, scale_of_differences};
 
 /// Half the width of the rectangle about a vertex along each axis, in units in the last place of
 /// the segment's larger coordinates. A vertex is on a segment if its rectangle meets the segment.
@@ -184,7 +184,8 @@ impl Reach<2> {
     /// Returns the sine of the angle between two lines, measured in this segment's units.
     pub fn sine(&self, first: [&[f64; 2]; 2], second: [&[f64; 2]; 2]) -> f64 {
         let [u, v] = [first, second].map(|[a, b]| {
-            let mut way = [0, 1].map(|k| (0.5 * b[k] - 0.5 * a[k]) / self.units[k]);
+            let scale = scale_of_differences([a, b]);
+            let mut way = [0, 1].map(|k| (scale * b[k] - scale * a[k]) / self.units[k]);
             // This segment is on an axis, where units are as small as doubles get.
             if way.iter().any(|step| step.is_infinite()) {
                 way = way.map(|step| if step.is_infinite() { step.signum() } else { 0.0 });

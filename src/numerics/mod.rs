@@ -52,7 +52,7 @@ pub(crate) use filters::{F64x2, Hyperplane, Real};
 pub use filters::{orientation, orientation_filtered};
 pub use lengths::{
     cross, distance, distance_to_edge, distance_to_line, distance_to_triangle, dot, foot_on_line,
-    norm, scale_of_differences, shortest_distance,
+    norm, scale_of_differences, scale_of_products, shortest_distance,
 };
 pub(crate) use power::scale_by_power;
 pub use random::{SplitMix, mixed, random_numbers};

@@ -8,7 +8,7 @@ use crate::error::Result;
 use crate::memory::{AllocResult, collected};
 use crate::mesh::IntersectionKind;
 use crate::nearest::{BoxTree, bounds_of};
-use crate::numerics::point_between;
+use crate::numerics::{point_between, scale_of_differences};
 
 /// Returns how, and about where, edges of a polygon meet in a projection: the worst case, and of
 /// these the one of the first edges. A vertex without an edge that is on an edge touches it.
@@ -109,7 +109,9 @@ pub(super) fn point_over(
     place: &[f64; 3],
 ) -> [f64; 3] {
     let axis = usize::from((to[1] - from[1]).abs() > (to[0] - from[0]).abs());
-    let share = (0.5 * place[axis] - 0.5 * from[axis]) / (0.5 * to[axis] - 0.5 * from[axis]);
+    let scale = scale_of_differences([from, to]);
+    let step = |x: &[f64; 3]| scale * x[axis] - scale * from[axis];
+    let share = step(place) / step(to);
     let share = if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 };
     point_between(ends[0], ends[1], share)
 }

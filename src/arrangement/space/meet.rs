@@ -8,7 +8,7 @@
 
 use super::projection::Projection;
 use crate::mesh::IntersectionKind;
-use crate::numerics::{Edges, Sign, orientation, point_between, scale_by_power};
+use crate::numerics::{Edges, Sign, orientation, point_between, scale_by_power, scale_of_products};
 use std::array::from_fn;
 
 /// Face of a triangle or segment, as the set of its vertices: bit i stands for vertex i.
@@ -324,11 +324,13 @@ fn divided(p: &[f64; 3], q: &[f64; 3], [near, far]: [f64; 2]) -> [f64; 3] {
     // No sum of products overflows then.
     let [near, far] = [0.125 * near, 0.125 * far];
     from_fn(|k| {
-        let (a, b) = (p[k] * far, q[k] * near);
+        let scale = scale_of_products([p[k], q[k]]);
+        let [p, q] = [scale * p[k], scale * q[k]];
+        let (a, b) = (p * far, q * near);
         let sum = a + b;
         let rest = (a - (sum - b)) + (b - (sum - (sum - b)));
-        let rounded = p[k].mul_add(far, -a) + q[k].mul_add(near, -b) + rest;
-        ((sum + rounded) / (near + far)).clamp(p[k].min(q[k]), p[k].max(q[k]))
+        let rounded = p.mul_add(far, -a) + q.mul_add(near, -b) + rest;
+        ((sum + rounded) / (near + far)).clamp(p.min(q), p.max(q)) / scale
     })
 }
 

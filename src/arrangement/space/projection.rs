@@ -79,8 +79,9 @@ impl Projection {
 /// Returns a normal of a triangle, of any length, but for roundings; zeros where doubles cannot
 /// tell it.
 pub(super) fn normal([a, b, c]: [&[f64; 3]; 3]) -> [f64; 3] {
+    let scale = scale_of_differences([a, b, c]);
     let [u, v] = [b, c].map(|end| {
-        let way: [f64; 3] = std::array::from_fn(|k| 0.5 * end[k] - 0.5 * a[k]);
+        let way: [f64; 3] = std::array::from_fn(|k| scale * end[k] - scale * a[k]);
         let longest = way.iter().fold(0.0f64, |longest, step| longest.max(step.abs()));
         way.map(|step| if longest > 0.0 { step / longest } else { 0.0 })
     });

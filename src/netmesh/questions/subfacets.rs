@@ -224,7 +224,8 @@ impl State<3> {
                     true => vertices.iter().all(is_near),
                     false => is_near(&vertex),
                 };
-                is_flat && self.facets_of(vertex).any(|facet| facet == own)
+                let part = self.facets.first_part(own);
+                is_flat && self.facets_of(vertex).any(|other| self.facets.first_part(other) == part)
             })
         })
     }

@@ -128,10 +128,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.add_flat(boundary, numbering)
     }
 
-    /// Adds the simplices with all vertices on one facet.
+    /// Adds the simplices with all vertices on one facet of the caller's, or on a side.
     fn add_flat(&mut self, boundary: &mut Boundary, numbering: &Numbering) -> Result<()> {
         let (complex, facets) = (self.state.delaunay.complex(), &self.state.facets);
-        let facets_at = facets.at_vertices(self.state.delaunay.point_count())?;
+        let facets_at = facets.first_parts_at_vertices(self.state.delaunay.point_count())?;
         for simplex in complex.simplices() {
             self.watch.poll_after(1)?;
             let number = numbering.simplices[simplex];

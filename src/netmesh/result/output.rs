@@ -25,13 +25,13 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
     ) -> Result<Triangulation> {
         self.state.stage.phase = Phase::Export;
         self.report_progress()?;
+        let is_outside = self.outside_simplices()?;
         let precision_limited = self.limited_vertices()?;
         self.state.stats.exact_fallbacks = self.state.delaunay.exact_fallbacks();
         self.state.stats.simplices_created = self.state.delaunay.simplices_created();
         self.state.stats.touches = self.state.conflict_lists.total_touches();
         self.state.stats.max_touches = u64::from(self.state.conflict_lists.max_touches());
         let begun = begun + self.measure_instruments()?;
-        let is_outside = self.outside_simplices()?;
         let numbering = self.numbering(&is_outside)?;
         let boundary = self.boundary(&numbering, &precision_limited)?;
         let cells_beyond = self.cells_beyond_bound()?;
@@ -242,7 +242,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
     /// Returns, for every vertex, true if its cage could not be made, or a corner next to it could
     /// not be inserted, or it is so near to another that ratios of radii and distances drown in the
     /// rounding of subnormals, or the guard of facets leaves a simplex beside it as it is though no
-    /// small angle excuses it.
+    /// small angle excuses it. All regions are known.
     pub(in crate::netmesh) fn limited_vertices(&mut self) -> Result<Vec<bool>> {
         const SUBNORMAL: f64 = f64::from_bits(1 << 30);
         let mut limited = take(&mut self.state.precision_limited);

@@ -9,7 +9,7 @@ mod shortest;
 mod triangle;
 
 pub(super) use norm::largest_magnitude;
-pub use norm::{distance, norm, scale_of_differences};
+pub use norm::{distance, norm, scale_of_differences, scale_of_products};
 pub use shortest::shortest_distance;
 pub use triangle::{
     cross, distance_to_edge, distance_to_line, distance_to_triangle, dot, foot_on_line,

@@ -25,6 +25,15 @@ pub fn scale_of_differences<'a, const D: usize>(
     if points.into_iter().flatten().any(is_large) { 0.5 } else { 1.0 }
 }
 
+/// Returns a power of two: numbers are to be multiplied by it before they are multiplied by others
+/// of about 1, and the result divided. It is 1 mostly, and 2^200 for the least doubles, of which
+/// products would lose bits.
+pub fn scale_of_products(numbers: [f64; 2]) -> f64 {
+    const LEAST: f64 = f64::from_bits((1023 - 900) << 52);
+    const UP: f64 = f64::from_bits((1023 + 200) << 52);
+    if numbers.iter().all(|x| x.abs() < LEAST) { UP } else { 1.0 }
+}
+
 /// Returns the Euclidean length of a vector; infinite only if a component is or if the true length,
 /// rounded, exceeds `f64::MAX`. Relative error at most n + 3 units of roundoff for n components, or
 /// 2^-1074 absolutely where the result is subnormal. Zero iff all components are.

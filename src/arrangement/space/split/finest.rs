@@ -6,7 +6,7 @@
 use super::super::bends::{normal, normalized};
 use super::super::meet::{Face, corner, vertices_of_face};
 use crate::nearest::{Bounds, bounds_of};
-use crate::numerics::{Edges, cross, dot, scale_by_power};
+use crate::numerics::{Edges, cross, dot, scale_by_power, scale_of_products};
 use std::array::from_fn;
 
 /// Factor by which coordinates must be smaller for a place to be computed from them: near to each
@@ -73,8 +73,10 @@ fn in_triangle(points: &[[f64; 3]], both: [&[u32]; 2], faces: [Face; 2]) -> [f64
     let weights = normalized([0, 1, 2].map(volume)).0.map(f64::abs);
     let sum: f64 = weights.iter().sum();
     from_fn(|k| {
-        let x: f64 = corners.clone().zip(weights).map(|(x, weight)| x[k] * (weight / sum)).sum();
-        x.clamp(low[k], high[k])
+        let scale = scale_of_products([low[k], high[k]]);
+        let parts = corners.clone().zip(weights);
+        let x: f64 = parts.map(|(x, weight)| scale * x[k] * (weight / sum)).sum();
+        (x / scale).clamp(low[k], high[k])
     })
 }
 
@@ -92,7 +94,9 @@ pub(super) fn on_planes(
 ) -> [f64; 3] {
     let planes = triangles.map(|own| Plane::of(own.map(|vertex| &points[vertex as usize])));
     let normals = planes.each_ref().map(|plane| plane.normal);
-    let heights = planes.each_ref().map(|plane| plane.height(&place));
+    let unit = units.iter().fold(0.0f64, |most, unit| most.max(*unit));
+    let scale = scale_of_products([unit; 2]);
+    let heights = planes.each_ref().map(|plane| plane.height(&place, scale));
     let determinant = |rows: [[f64; 3]; 3]| dot(&rows[0], &cross(&rows[1], &rows[2]));
     let whole = determinant(normals);
     // Cramer's rule.
@@ -101,9 +105,8 @@ pub(super) fn on_planes(
         replaced.iter_mut().zip(heights).for_each(|(row, height)| row[k] = -height);
         determinant(replaced) / whole
     });
-    let most = FARTHEST * units.iter().fold(0.0f64, |most, unit| most.max(*unit));
-    match step.iter().all(|step| step.abs() <= most) {
-        true => from_fn(|k| place[k] + step[k]),
+    match step.iter().all(|step| step.abs() <= FARTHEST * (scale * unit)) {
+        true => from_fn(|k| place[k] + step[k] / scale),
         false => place,
     }
 }
@@ -122,12 +125,12 @@ impl<'a> Plane<'a> {
         Self { corners, normal, exponent }
     }
 
-    /// Returns the product of the normal and the way from the plane to a point, with a rounding or
-    /// two of its own.
-    fn height(&self, x: &[f64; 3]) -> f64 {
+    /// Returns the product of the normal and the way from the plane to a point, times a scale, with
+    /// a rounding or two of its own.
+    fn height(&self, x: &[f64; 3], scale: f64) -> f64 {
         let [a, b, c] = self.corners;
         let (m, exponent) = Edges::new(a, [b, c, x].into_iter()).determinant_of_components();
-        scale_by_power(m, exponent - self.exponent)
+        scale_by_power(scale * m, exponent - self.exponent)
     }
 }
 

@@ -349,6 +349,15 @@ impl Facets {
         bent.and_then(|bent| bent.plane_at(plane.image(x))).unwrap_or(plane)
     }
 
+    /// Returns the first part of the caller's facet that a facet is a part of. All parts are in one
+    /// plane; they differ by what is beside them. O(log n) for n facets.
+    pub fn first_part(&self, facet: u32) -> u32 {
+        match self.facets[facet as usize].parent {
+            NONE => facet,
+            parent => self.facets.partition_point(|other| other.parent < parent) as u32,
+        }
+    }
+
     /// Returns true if some corners of the caller's triangles are off the plane of a facet.
     pub fn is_bent(&self, facet: u32) -> bool {
         self.facets[facet as usize].bent != NONE
@@ -479,6 +488,15 @@ impl Facets {
     /// Returns the facets of which each vertex is one, some of them several times.
     pub fn at_vertices(&self, count: usize) -> AllocResult<Lists> {
         let of = |own: &Subfacet| own.vertices.map(|vertex| (vertex.number(), own.facet));
+        Lists::of_pairs(count, || self.subfacets.iter().flat_map(of))
+    }
+
+    /// Returns the same with the first part of each facet.
+    pub fn first_parts_at_vertices(&self, count: usize) -> AllocResult<Lists> {
+        let of = |own: &Subfacet| {
+            let part = self.first_part(own.facet);
+            own.vertices.map(|vertex| (vertex.number(), part))
+        };
         Lists::of_pairs(count, || self.subfacets.iter().flat_map(of))
     }
 

@@ -38,7 +38,11 @@ pub(super) struct Projection {
 
 impl Projection {
     pub fn along(normal: &[f64; 3]) -> Self {
-        let axis = largest_axis(normal);
+        Self::along_axis(normal, largest_axis(normal))
+    }
+
+    /// Returns the projection along an axis along which a normal has a component.
+    pub fn along_axis(normal: &[f64; 3], axis: usize) -> Self {
         let [i, j] = [(axis + 1) % 3, (axis + 2) % 3];
         Self { axes: if normal[axis] > 0.0 { [i, j] } else { [j, i] } }
     }

@@ -28,7 +28,7 @@ pub(super) fn each_facet(
     facets: &Facets,
     ways: &mut Ways<'_>,
     findings: &mut Findings,
-    mut visit: impl FnMut(&Facet, i64, &mut Ways<'_>, &mut Findings) -> AllocResult<()>,
+    mut visit: impl FnMut(Facet, i64, &mut Ways<'_>, &mut Findings) -> AllocResult<()>,
 ) -> AllocResult<()> {
     let Some(triangles) = triangles(ways.inputs, facets)? else {
         findings.check(false, || describe("triangles have inputs that are no vertices"));
@@ -59,7 +59,7 @@ pub(super) fn each_facet(
             Some(facet) if is_left_out(&facet, &triangles, group, ways)? => {}
             Some(facet) => {
                 let balance = balances[facet.parent as usize].unwrap_or(1);
-                visit(&facet, balance, ways, findings)?;
+                visit(facet, balance, ways, findings)?;
             }
             None => drop(findings.check(false, || describe("a facet's triangles have no area"))),
         }

@@ -106,13 +106,17 @@ fn each_facet(
     findings: &mut Findings,
     mut visit: impl FnMut(&Facet, i64, &mut Ways<'_>, &mut Findings) -> AllocResult<()>,
 ) -> AllocResult<()> {
+    let mut visit = |mut facet: Facet, balance, ways: &mut Ways<'_>, findings: &mut Findings| {
+        facet.projection = tiling::projection_of(&facet, ways.view)?;
+        visit(&facet, balance, ways, findings)
+    };
     if facets.are_triangles {
         return groups::each_facet(facets, ways, findings, visit);
     }
     for number in 0..facets.count() {
         let before = findings.violations;
         match given::polygon(ways.inputs, facets, number)? {
-            Some(facet) => visit(&facet, 1, ways, findings)?,
+            Some(facet) => visit(facet, 1, ways, findings)?,
             // It has nothing to keep, if crossings are split.
             None if ways.splits(number as u32) => {}
             None => drop(findings.check(false, || given::describe_no_area(number))),

@@ -8,8 +8,8 @@
 use super::super::chains::BENT;
 use super::super::sum::Sum;
 use super::faces::Faces;
-use super::given::Facet;
-use super::plane;
+use super::given::{Facet, Projection};
+use super::plane::{self, largest_axis};
 use super::tiles;
 use super::ways::Ways;
 use crate::error::message;
@@ -46,6 +46,35 @@ pub(super) fn range(view: View<'_, 3>, parent: u32) -> Range<usize> {
     let parents = &view.mesh.boundary.subfacet_parents;
     parents.partition_point(|&other| other < parent)
         ..parents.partition_point(|&other| other <= parent)
+}
+
+/// Returns a projection of a facet in which all its own subfacets turn to the left: along the axis
+/// of the largest component of its normal, or of another one that is half as large, which serves as
+/// well. Of components that are about equal roundings make either the largest; and a subfacet of
+/// some units may be flat along one of them. That of the largest if there is none.
+pub(super) fn projection_of(facet: &Facet, view: View<'_, 3>) -> AllocResult<Projection> {
+    let (normal, mut signs) = (&facet.normal, Signs::<Robust>::default());
+    let largest = largest_axis(normal);
+    let others = (0..3).filter(|&axis| axis != largest);
+    let others = others.filter(|&axis| 2.0 * normal[axis].abs() >= normal[largest].abs());
+    if others.clone().next().is_none() {
+        return Ok(facet.projection);
+    }
+    let own = &view.mesh.boundary.subfacets[range(view, facet.parent)];
+    for axis in [largest].into_iter().chain(others) {
+        let projection = Projection::along_axis(normal, axis);
+        let mut left = 0;
+        for vertices in own {
+            if turn(projection, view, vertices, &mut signs)? != Ordering::Greater {
+                break;
+            }
+            left += 1;
+        }
+        if left == own.len() {
+            return Ok(projection);
+        }
+    }
+    Ok(facet.projection)
 }
 
 /// Checks that the subfacets of a facet, with those that it borrows, tile it, and that they are
@@ -115,8 +144,7 @@ pub(super) fn check_orientations(
 ) -> AllocResult<()> {
     let mut signs = Signs::<Robust>::default();
     for vertices in subfacets {
-        let [a, b, c] = vertices.map(|vertex| facet.projection.of(view.point(vertex)));
-        let sign = signs.orientation(&[&a, &b, &c])?;
+        let sign = turn(facet.projection, view, vertices, &mut signs)?;
         findings.check(sign == Ordering::Greater, || {
             let word = if sign == Ordering::Equal { "flat" } else { "turned round" };
             let message = message!(
@@ -127,6 +155,17 @@ pub(super) fn check_orientations(
         });
     }
     Ok(())
+}
+
+/// Returns the side to which a triangle turns in a projection.
+fn turn(
+    projection: Projection,
+    view: View<'_, 3>,
+    vertices: &[u32; 3],
+    signs: &mut Signs<Robust>,
+) -> AllocResult<Ordering> {
+    let [a, b, c] = vertices.map(|vertex| projection.of(view.point(vertex)));
+    signs.orientation(&[&a, &b, &c])
 }
 
 /// Returns the edges of triangles, sorted.

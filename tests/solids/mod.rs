@@ -16,6 +16,7 @@ mod options;
 mod roundings;
 mod shapes;
 mod thin;
+mod units;
 
 use netmesh::options::Options;
 use netmesh::validate::validate_mesh;

@@ -1,0 +1,95 @@
+//! Complexes of which corners are some units in the last place from each other, and others far.
+
+use super::crossings::{split, surface};
+use super::{Point, assert_holds, bounded};
+use netmesh::options::{Extent, Options};
+
+/// Returns the points that are so many units from another one on all axes.
+fn points(origin: f64, unit: f64, steps: &[Point]) -> Vec<Point> {
+    steps.iter().map(|own| own.map(|step| (origin + step) * unit)).collect()
+}
+
+fn assert_conforms(points: &[Point], triangles: &[[u32; 3]], segments: &[u32], options: &Options) {
+    let mut mesh = surface(points, triangles);
+    mesh.set_segments(segments, None).unwrap();
+    mesh.run(options, None).unwrap_or_else(|error| panic!("{error}"));
+    assert_holds(&mesh);
+}
+
+const TOP: f64 = 15_032_385_536.0;
+const WIDE: f64 = 33_554_432.0;
+
+/// Holds that facets which cross at small angles are split where they do, among subnormals as
+/// elsewhere: products of these lose bits.
+#[test]
+fn crossings_among_the_least_doubles_are_where_they_are() {
+    let steps = [
+        [0.0, 6144.0, 0.0],
+        [TOP, TOP, 6_442_450_944.0],
+        [0.0, 0.0, WIDE],
+        [WIDE; 3],
+        [WIDE, WIDE, TOP],
+        [0.0; 3],
+    ];
+    let triangles = [[5, 4, 0], [3, 4, 2], [4, 2, 1]];
+    let options = split(Extent::All, f64::INFINITY);
+    for (origin, unit) in [(5_889_287.0, f64::from_bits(1)), (2f64.powi(52), f64::EPSILON)] {
+        assert_conforms(&points(origin, unit, &steps), &triangles, &[], &options);
+    }
+}
+
+/// Holds that simplices with vertices on two parts of a facet are flat: the parts differ by what
+/// shares their areas, and are in one plane.
+#[test]
+fn simplices_between_parts_of_a_facet_are_flat() {
+    let steps = [
+        [4.0, 49_152.0, 0.0],
+        [0.0; 3],
+        [-TOP; 3],
+        [-TOP, -98_304.0, -TOP],
+        [-WIDE; 3],
+        [-WIDE, -WIDE, -TOP],
+        [1024.0, 0.0, -4096.0],
+        [-1_879_048_192.0, -25_165_824.0, 512.0],
+        [-64.0, 2.0, 0.0],
+        [0.0, 0.0, 4.0],
+        [0.0, -1_073_741_824.0, -67_108_864.0],
+        [-65_536.0, -16_777_216.0, 0.0],
+    ];
+    let points = points(-2f64.powi(52) - 6_151_431.0, f64::EPSILON, &steps);
+    let triangles = [[1, 2, 0], [2, 0, 4], [0, 4, 8]];
+    assert_conforms(&points, &triangles, &[0, 8, 4, 0], &split(Extent::All, f64::INFINITY));
+}
+
+/// Holds that the plane of a facet which is as steep along several axes is seen along one in which
+/// all its subfacets have an area, though an edge is bent through an input near its end.
+#[test]
+fn facets_as_steep_along_all_axes_are_seen_along_any() {
+    let steps = [
+        [2048.0, 0.0, 0.0],
+        [0.0; 3],
+        [0.0, TOP, TOP],
+        [TOP, TOP, 0.0],
+        [WIDE; 3],
+        [TOP, TOP, WIDE],
+        [4.0, 0.0, 0.0],
+    ];
+    let points = points(2f64.powi(52), f64::EPSILON, &steps);
+    let triangles = [[0, 1, 4], [1, 4, 5], [1, 2, 3]];
+    assert_conforms(&points, &triangles, &[], &split(Extent::All, f64::INFINITY));
+}
+
+/// Holds that simplices which are left beyond the bound beside segments at a small angle, with no
+/// vertex on these, are not called forced.
+#[test]
+fn simplices_left_beside_sharp_segments_are_not_forced() {
+    let steps = [
+        [6_442_450_944.0, 2_147_483_648.0, 6.0],
+        [6.0; 3],
+        [0.0, 4096.0, 1792.0],
+        [0.0, 0.0, 2.0 * WIDE],
+    ];
+    let points = points(2f64.powi(52), f64::EPSILON, &steps);
+    let options = Options { extent: Extent::All, ..bounded(3.0) };
+    assert_conforms(&points, &[], &[1, 0, 2, 1, 0, 3], &options);
+}

@@ -282,6 +282,8 @@ struct Leaf<'a> {
     /// Bounds, with a margin for roundings.
     bounds: Bounds,
     gauge: Gauge<'a>,
+    /// True if rounding explains a gap beside the triangle, as beside its edges.
+    is_long: bool,
 }
 
 impl<'a> Leaf<'a> {
@@ -292,7 +294,8 @@ impl<'a> Leaf<'a> {
             std::array::from_fn(|k| low[k] - 32.0 * units[k]),
             std::array::from_fn(|k| high[k] + 32.0 * units[k]),
         ];
-        Self { corners, bounds, gauge: Gauge::new(corners, units) }
+        let is_long = Reach::of([&low, &high]).is_long();
+        Self { corners, bounds, gauge: Gauge::new(corners, units), is_long }
     }
 
     /// Returns false only if no point of the box is near the triangle.
@@ -303,7 +306,8 @@ impl<'a> Leaf<'a> {
     }
 
     /// Returns the distance of a point from the triangle in what rounding explains at most, 0 for a
-    /// point exactly in its plane; `None` for a point that is not projected into it.
+    /// point exactly in its plane, infinite for others where rounding explains no gap; `None` for a
+    /// point that is not projected into it.
     fn offset(&self, x: &[f64; 3]) -> Option<f64> {
         let [a, b, c] = self.corners;
         let projection = Projection::of_triangle(self.corners)?;
@@ -312,6 +316,7 @@ impl<'a> Leaf<'a> {
         let is_in = sides.iter().all(|&[p, q]| !(projection.turn([p, q, x]) * turn).is_negative());
         let offset = || match orientation(&[a, b, c, x]).is_zero() {
             true => 0.0,
+            false if !self.is_long => f64::INFINITY,
             false => self.gauge.measure(x).0,
         };
         is_in.then(offset)

@@ -44,9 +44,10 @@ pub(super) struct Chains<'a, const D: usize> {
     /// Vertex -> from where the search of a way has come to it, and in which search.
     reached: Vec<(u32, u32)>,
     searches: u32,
-    /// The vertices of the chain at hand, and those that a search has yet to leave.
+    /// The vertices of the chain at hand.
     path: Vec<u32>,
-    waiting: Vec<u32>,
+    /// Vertices that a search has yet to leave, each with the one that it came from.
+    waiting: Vec<[u32; 2]>,
     roundings: Roundings<D>,
     /// Vertex -> true if no way bends through it; vertices beyond are not such.
     is_firm: &'a [bool],
@@ -174,11 +175,17 @@ impl<'a, const D: usize> Chains<'a, D> {
     fn advances(&self, way: Way, a: u32, b: u32) -> bool {
         let [from, to] = way.ends.map(|end| self.view.point(end));
         let [a, b] = [a, b].map(|vertex| self.view.point(vertex));
-        let units = self.roundings.steps_of([from, to]);
-        let steps = |axis: usize| steps(from, to, axis, units[axis]);
-        let axis = (1..D).fold(0, |axis, k| if steps(k) > steps(axis) { k } else { axis });
+        let axis = self.axis_of(way);
         let advances = if to[axis] < from[axis] { b[axis] < a[axis] } else { a[axis] < b[axis] };
         advances || a[axis] == b[axis] && a != b
+    }
+
+    /// Returns the axis on which the ends of a segment are most units in the last place apart.
+    fn axis_of(&self, way: Way) -> usize {
+        let [from, to] = way.ends.map(|end| self.view.point(end));
+        let units = self.roundings.steps_of([from, to]);
+        let steps = |axis: usize| steps(from, to, axis, units[axis]);
+        (1..D).fold(0, |axis, k| if steps(k) > steps(axis) { k } else { axis })
     }
 
     /// Returns true if an edge leads along a segment as its chain may: both ends are near it, and
@@ -217,31 +224,49 @@ impl<'a, const D: usize> Chains<'a, D> {
         let bends = matches!(nearness, Nearness::Near | Nearness::Bent);
         self.searches += 1;
         self.waiting.clear();
-        self.waiting.try_push(from)?;
-        while let Some(vertex) = self.waiting.pop() {
+        self.waiting.try_push([from; 2])?;
+        while let Some([vertex, before]) = self.waiting.pop() {
+            if self.reached[vertex as usize].1 == self.searches {
+                continue;
+            }
+            self.reached[vertex as usize] = (before, self.searches);
             if vertex == to {
                 return self.append_way(from, to);
             }
-            // Those of no segment come last, and so go first: they are the extent's own. Vertices
-            // that bend the way come before all others.
+            // What comes last goes first: subsegments of no segment, which are the extent's own;
+            // before all others vertices that do not bend the way; and of both kinds the nearest,
+            // since a chain leaves out no vertex on it.
             let (at, parents) = (self.at, &self.view.mesh.boundary.parents);
-            let of_none = |subsegment: &&u32| parents[**subsegment as usize] == NONE;
-            let at_vertex = || at.of(vertex as usize).iter();
-            let others = at_vertex().filter(|subsegment| !of_none(subsegment));
-            let all = others.chain(at_vertex().filter(of_none));
             for &is_straight in if bends { &[false, true][..] } else { &[true] } {
-                for &subsegment in all.clone() {
-                    let next = self.next_of_gap(way, subsegment, [vertex, to], nearness)?;
-                    let is_new = |next: &u32| self.reached[*next as usize].1 != self.searches;
-                    let Some(next) = next.filter(is_new) else { continue };
-                    if !bends || self.is_near(way, next, Nearness::Rounded)? == is_straight {
-                        self.reached[next as usize] = (vertex, self.searches);
-                        self.waiting.try_push(next)?;
+                for is_of_none in [false, true] {
+                    let first = self.waiting.len();
+                    let own = at.of(vertex as usize).iter();
+                    for &subsegment in
+                        own.filter(|&&own| (parents[own as usize] == NONE) == is_of_none)
+                    {
+                        let next = self.next_of_gap(way, subsegment, [vertex, to], nearness)?;
+                        let Some(next) = next else { continue };
+                        if !bends || self.is_near(way, next, Nearness::Rounded)? == is_straight {
+                            self.waiting.try_push([next, vertex])?;
+                        }
                     }
+                    self.sort_from_last(way, first);
                 }
             }
         }
         Ok(false)
+    }
+
+    /// Sorts those that wait from the `first` on by their places along a way, the last ones first.
+    fn sort_from_last(&mut self, way: Way, first: usize) {
+        let (axis, view) = (self.axis_of(way), self.view);
+        let [from, to] = way.ends.map(|end| view.point(end)[axis]);
+        let place = |vertex: u32| view.point(vertex)[axis];
+        self.waiting[first..].sort_unstable_by(|&[a, _], &[b, _]| {
+            let ascending = place(a).total_cmp(&place(b));
+            let from_last = if to < from { ascending } else { ascending.reverse() };
+            from_last.then(a.cmp(&b))
+        });
     }
 
     /// Returns the other end of a subsegment of an earlier segment, if it is on the way to `to`.

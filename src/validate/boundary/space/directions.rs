@@ -24,6 +24,14 @@ pub(super) fn cosine(a: &Vector, b: &Vector) -> f64 {
     dot(a, b) / (dot(a, a) * dot(b, b)).sqrt()
 }
 
+/// Returns the sine of half the angle between two directions: it tells small angles that have one
+/// cosine.
+pub(super) fn sine_of_half(a: &Vector, b: &Vector) -> f64 {
+    let [a, b] = [a, b].map(|own| own.map(|x| x / dot(own, own).sqrt()));
+    let difference = [0, 1, 2].map(|axis| a[axis] - b[axis]);
+    0.5 * dot(&difference, &difference).sqrt()
+}
+
 /// Returns the part of `vector` across `along`.
 pub(super) fn across(vector: Vector, along: Vector) -> Vector {
     let share = dot(&vector, &along) / dot(&along, &along);

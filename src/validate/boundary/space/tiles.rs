@@ -6,7 +6,7 @@
 //! Triangles that are folded over each other in one plane are one facet too, which has a subfacet
 //! there as many times as its rim winds about it.
 
-use super::directions::cosine;
+use super::directions::sine_of_half;
 use super::given::Facet;
 use super::plane::{AreaVector, Slab};
 use super::tiling::{Edge, range};
@@ -119,7 +119,7 @@ impl Search<'_> {
         let view = ways.view;
         let mut signs = Signs::<Robust>::default();
         let mut found = Beside { times: [0; 2], left: None };
-        let mut flattest = f64::NEG_INFINITY;
+        let mut flattest = f64::INFINITY;
         for subfacet in ways.faces.beside(view, edge) {
             let vertices = view.mesh.boundary.subfacets[subfacet as usize];
             let Some(apex) = vertices.into_iter().find(|vertex| !edge.contains(vertex)) else {
@@ -145,9 +145,9 @@ impl Search<'_> {
             } else if !has_own && self.slab.holds(normal, view.point(apex)) {
                 // Small triangles that stand on the facet are within the slab, too.
                 let own = AreaVector::of_triangle(corners.map(|vertex| view.point(vertex)));
-                let cosine = own.rounded().map_or(0.0, |(own, _)| cosine(&own, normal));
-                if cosine > flattest {
-                    (found.left, flattest) = (Some(tile), cosine);
+                let sine = own.rounded().map_or(1.0, |(own, _)| sine_of_half(&own, normal));
+                if sine < flattest {
+                    (found.left, flattest) = (Some(tile), sine);
                 }
             }
         }

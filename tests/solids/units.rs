@@ -93,3 +93,56 @@ fn simplices_left_beside_sharp_segments_are_not_forced() {
     let options = Options { extent: Extent::All, ..bounded(3.0) };
     assert_conforms(&points, &[], &[1, 0, 2, 1, 0, 3], &options);
 }
+
+/// Holds that a triangle of some units keeps its area beside a corner that is alone: no rounding
+/// explains the gap between them.
+#[test]
+fn small_facets_hold_no_corners_beside_them() {
+    let steps = [
+        [2.0, -6.0, -8.0],
+        [-6.0, 0.0, 0.0],
+        [0.0; 3],
+        [-4.0, 8.0, 16.0],
+        [-1_048_576.0, 0.0, 0.0],
+    ];
+    let points = points(2f64.powi(52), f64::EPSILON, &steps);
+    let mut mesh = surface(&points, &[[2, 3, 0], [1, 4, 2]]);
+    mesh.run(&split(Extent::All, f64::INFINITY), None).unwrap();
+    assert_holds(&mesh);
+    assert!(mesh.result().unwrap().boundary.subfacet_parents.contains(&0));
+}
+
+/// Holds that the certificate leads a chain through all vertices on it, not past some.
+#[test]
+fn chains_leave_out_no_vertex_on_them() {
+    let steps = [
+        [0.0, -4096.0, 0.0],
+        [0.0, -6.0, 0.0],
+        [0.0, 12.0, 0.0],
+        [2.0, 0.0, 0.0],
+        [8192.0, 0.0, 0.0],
+        [-3.0, -8.0, 0.0],
+        [0.0, 0.0, -1_048_576.0],
+    ];
+    let points = points(2f64.powi(52), f64::EPSILON, &steps);
+    let triangles = [[0, 2, 1], [6, 3, 4], [4, 5, 0], [5, 0, 2], [3, 2, 4]];
+    assert_conforms(&points, &triangles, &[], &split(Extent::All, f64::INFINITY));
+}
+
+/// Holds that of two sheets which are 16 units apart at their far ends the certificate takes the
+/// one that is in the plane of a facet for its own.
+#[test]
+fn facets_borrow_from_those_in_their_plane() {
+    let (low, high) = (1_048_576.0, 2f64.powi(40));
+    let steps = [
+        [16.0, 0.0, 0.0],
+        [-2.0, 0.0, -8.0],
+        [-1.0, 3.0, -6.0],
+        [0.0, -4.0, low],
+        [6.0, high, 0.0],
+        [0.0, -3.0, high],
+    ];
+    let points = points(2f64.powi(52), f64::EPSILON, &steps);
+    let triangles = [[2, 4, 0], [5, 4, 0], [4, 3, 5], [1, 0, 3], [3, 5, 4]];
+    assert_conforms(&points, &triangles, &[], &split(Extent::All, f64::INFINITY));
+}

@@ -73,6 +73,15 @@ impl Error {
         Self::new(ErrorKind::Limit, message)
     }
 
+    /// Returns the error of a triangle of facets at a point that doubles are too coarse for.
+    pub(crate) fn without_room_for_facets(&[x, y, z]: &[f64; 3]) -> Self {
+        let message = message!(
+            "doubles have no room for a triangle of facets near ({x:?}, {y:?}, {z:?}), which other \
+             vertices are within roundings of"
+        );
+        Self::new(ErrorKind::Limit, message)
+    }
+
     /// Marks a failure as caused by the content of an input: it could be read in its format, but it
     /// cannot be meshed.
     pub fn of_content(self) -> Self {

@@ -7,6 +7,7 @@ use super::fit::Fitted;
 use super::merge::{Pairs, Surface, merged};
 use super::pieces::{Piece, Pieces};
 use super::sides::{Side, Sides};
+use super::turned::refuse_turned;
 use crate::arrangement::poll::{LONG, Poll};
 use crate::error::Result;
 use crate::memory::{AllocResult, Lists, TryGrow, collected, filled, with_capacity};
@@ -40,6 +41,7 @@ pub(super) fn add_surface(
     let surface =
         Surface { triangles: &triangles, kinds: &kinds, origins: &of, given: &given, pairs };
     let firsts = merged(points, &surface, task.coplanar, poll)?;
+    refuse_turned(points, &surface, &firsts)?;
     poll(LONG)?;
     // The first of the caller's triangles, by the first one of a group.
     let mut parents = collected(of.iter().copied())?;

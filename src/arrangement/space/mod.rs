@@ -59,6 +59,7 @@ mod split;
 #[cfg(test)]
 mod tests;
 mod triangulation;
+mod turned;
 
 pub use closed::{check_closed_in_space, encloses_in_space};
 pub use curvature::CurvatureSizes;

@@ -3,14 +3,13 @@
 //! triangle, its vertices are on the plane of the facet.
 
 use crate::complex::{SimplexId, VertexId};
-use crate::error::{Error, ErrorKind, message};
+use crate::error::Error;
 use crate::memory::AllocResult;
 use crate::mesh::NONE;
 use crate::netmesh::state::State;
 use crate::netmesh::state::facets::Subfacet;
 use crate::netmesh::state::facets::faces::FACES;
 use crate::netmesh::state::facets::plane::Plane;
-use crate::netmesh::state::segments::At;
 use crate::numerics::{Sign, cross, distance, dot};
 
 /// Point of a sheet.
@@ -94,12 +93,7 @@ impl State<3> {
         if self.facets.facets[facet as usize].parent == NONE {
             return Error::without_room(self.parameters.extent);
         }
-        let message = message!(
-            "doubles have no room for a triangle of facets near {}, which other vertices are \
-             within roundings of",
-            At(self.delaunay.point(corner))
-        );
-        Error::new(ErrorKind::Limit, message)
+        Error::without_room_for_facets(self.delaunay.point(corner))
     }
 
     /// Returns the centre of a subfacet's circle, and its radius.

@@ -51,6 +51,9 @@ pub(super) struct Chains<'a, const D: usize> {
     roundings: Roundings<D>,
     /// Vertex -> true if no way bends through it; vertices beyond are not such.
     is_firm: &'a [bool],
+    /// Subsegment -> the facet at the rim of whose own subfacets it was noted last, or [`NONE`];
+    /// those beyond were not noted. And the facet to whose rim a search keeps, or [`NONE`].
+    rims: (Vec<u32>, u32),
 }
 
 /// A segment between two vertices, or with [`NONE`] a side of the extent, which has all
@@ -102,14 +105,31 @@ impl<'a, const D: usize> Chains<'a, D> {
     pub fn new(view: View<'a, D>, at: &'a Lists) -> AllocResult<Self> {
         let reached = filled(view.vertex_count(), (NONE, NONE))?;
         let (path, waiting) = Default::default();
-        let (roundings, is_firm) = (Roundings::of_axes(), &[][..]);
-        Ok(Self { view, at, reached, searches: 0, path, waiting, roundings, is_firm })
+        let (roundings, is_firm, rims) = (Roundings::of_axes(), &[][..], (Vec::new(), NONE));
+        Ok(Self { view, at, reached, searches: 0, path, waiting, roundings, is_firm, rims })
     }
 
     /// Takes other roundings from now on, and some vertices for on a way only where they are
     /// exactly.
     pub fn read(&mut self, roundings: Roundings<D>, is_firm: &'a [bool]) {
         (self.roundings, self.is_firm) = (roundings, is_firm);
+    }
+
+    /// Notes subsegments at the rim of a facet's own subfacets.
+    pub fn note_rim(&mut self, facet: u32, subsegments: &[u32]) -> AllocResult<()> {
+        if self.rims.0.is_empty() {
+            self.rims.0 = filled(self.view.mesh.boundary.subsegments.len(), NONE)?;
+        }
+        subsegments.iter().for_each(|&subsegment| self.rims.0[subsegment as usize] = facet);
+        Ok(())
+    }
+
+    /// Fills `path` as [`Self::lead`] does, along the rim that was noted of a facet alone.
+    pub fn lead_along_rim(&mut self, way: Way, facet: u32) -> AllocResult<bool> {
+        self.rims.1 = facet;
+        let is_found = self.lead(way);
+        self.rims.1 = NONE;
+        is_found
     }
 
     /// Returns the vertices of the way that was found last, from end to end.
@@ -250,22 +270,24 @@ impl<'a, const D: usize> Chains<'a, D> {
                             self.waiting.try_push([next, vertex])?;
                         }
                     }
-                    self.sort_from_last(way, first);
+                    self.sort_from_last(way, vertex, first);
                 }
             }
         }
         Ok(false)
     }
 
-    /// Sorts those that wait from the `first` on by their places along a way, the last ones first.
-    fn sort_from_last(&mut self, way: Way, first: usize) {
+    /// Sorts those that wait from the `first` on by their places along a way, the last ones first;
+    /// before them those that are level with a vertex.
+    fn sort_from_last(&mut self, way: Way, vertex: u32, first: usize) {
         let (axis, view) = (self.axis_of(way), self.view);
         let [from, to] = way.ends.map(|end| view.point(end)[axis]);
         let place = |vertex: u32| view.point(vertex)[axis];
+        let goes_on = |next: u32| place(next) != place(vertex);
         self.waiting[first..].sort_unstable_by(|&[a, _], &[b, _]| {
             let ascending = place(a).total_cmp(&place(b));
             let from_last = if to < from { ascending } else { ascending.reverse() };
-            from_last.then(a.cmp(&b))
+            goes_on(a).cmp(&goes_on(b)).then(from_last).then(a.cmp(&b))
         });
     }
 
@@ -281,7 +303,10 @@ impl<'a, const D: usize> Chains<'a, D> {
         let [a, b] = boundary.subsegments[subsegment as usize];
         let next = if a == vertex { b } else { a };
         let parent = boundary.parents[subsegment as usize];
-        let is_on = (parent < way.segment || way.segment == NONE)
+        let (rims, facet) = (&self.rims.0, self.rims.1);
+        let is_at_rim = facet == NONE || rims.get(subsegment as usize) == Some(&facet);
+        let is_on = is_at_rim
+            && (parent < way.segment || way.segment == NONE)
             && self.advances(way, vertex, next)
             && (next == to || self.advances(way, next, to))
             && self.is_near(way, next, nearness)?;

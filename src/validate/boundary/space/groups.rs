@@ -8,6 +8,7 @@ use super::super::sum::Sum;
 use super::directions::{across, cosine, direction};
 use super::given::{Facet, Projection, point};
 use super::plane::AreaVector;
+use super::tiling;
 use super::ways::Ways;
 use crate::error::message;
 use crate::memory::{AllocResult, Sets, TryGrow, collected, filled, with_capacity};
@@ -152,8 +153,8 @@ fn balances_of(triangles: &[[u32; 3]], ways: &Ways<'_>) -> AllocResult<Vec<Optio
     Ok(balances)
 }
 
-/// Takes their balances from triangles that are no wider than roundings: the chain along an edge
-/// goes through the opposite vertex. Chains must lead along all three edges.
+/// Takes their balances from triangles that are no wider than roundings and have no subfacets: the
+/// chain along an edge goes through the opposite vertex. Chains must lead along all three edges.
 fn leave_out_needles(
     triangles: &[[u32; 3]],
     balances: &mut [Option<i64>],
@@ -162,7 +163,7 @@ fn leave_out_needles(
 ) -> AllocResult<()> {
     let kept = (0u32..).zip(triangles).zip(balances).filter(|(_, balance)| balance.is_some());
     for ((number, &[a, b, c]), balance) in kept {
-        if !ways.splits(number) {
+        if !ways.splits(number) || !tiling::range(ways.view, number).is_empty() {
             continue;
         }
         let edges = [[a, b], [b, c], [c, a]];

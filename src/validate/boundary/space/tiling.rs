@@ -222,6 +222,13 @@ pub(super) fn expected_rim(
     findings: &mut Findings,
 ) -> AllocResult<(Vec<Edge>, bool)> {
     let (mut pieces, mut is_whole) = (Vec::new(), true);
+    if ways.splits(facet.parent) {
+        let own = &ways.view.mesh.boundary.subfacets[range(ways.view, facet.parent)];
+        let edges = sorted_edges(own)?;
+        let is_single = |same: &&[Directed]| same.len() == 1;
+        let rim = edges.chunk_by(|a, b| a.0 == b.0).filter(is_single).map(|same| same[0].0);
+        ways.note_rim(facet.parent, &collected(rim)?)?;
+    }
     for &ends in &facet.rim {
         if !ways.check_edge(facet.parent, ends, findings)? {
             is_whole = false;
@@ -307,8 +314,10 @@ pub(super) fn check_area(
     for &ends in &facet.rim {
         let [from, to] = ends.map(|end| facet.projection.of(ways.input(end)));
         difference.add_facet([&to, &from]);
-        if ways.faces.subsegment(ways.view, ends).is_none() {
-            let roundings = ways.roundings(ways.splits(facet.parent));
+        // What is split may go round an edge that others have.
+        let splits = ways.splits(facet.parent);
+        if splits || ways.faces.subsegment(ways.view, ends).is_none() {
+            let roundings = ways.roundings(splits);
             let units = roundings.units_of(ends.map(|end| ways.input(end)));
             add_deviation(&from, &to, facet.projection.of(&units), &mut bound);
         }

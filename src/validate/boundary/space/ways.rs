@@ -9,7 +9,7 @@ use super::given;
 use super::reading::Reading;
 use super::tiling::name_of;
 use crate::error::message;
-use crate::memory::{AllocResult, TryGrow, filled};
+use crate::memory::{AllocResult, TryGrow, collected, filled};
 use crate::mesh::{Inputs, NONE, Segments};
 use crate::options::{Crossings, Extent};
 use crate::quality::view::View;
@@ -153,6 +153,44 @@ impl<'a> Ways<'a> {
         self.lead(ends, splits)
     }
 
+    /// Searches for a chain along an edge of a facet, as [`Self::find`] does. If the facet is read
+    /// as split, its own subfacets say where it ends: of several chains that may be the edge's the
+    /// one at their rim is.
+    fn find_of_facet(&mut self, facet: u32, ends: [u32; 2]) -> AllocResult<bool> {
+        let splits = self.splits(facet);
+        if splits && self.are_vertices(ends) {
+            let way = self.read_crossings(ends);
+            if self.chains.lead_along_rim(way, facet)? {
+                self.keep_path()?;
+                return Ok(true);
+            }
+        }
+        self.find(ends, splits)
+    }
+
+    /// Notes the rim of a facet's own subfacets for [`Self::check_edge`], if it is read as split.
+    pub fn note_rim(&mut self, facet: u32, rim: &[[u32; 2]]) -> AllocResult<()> {
+        let of = |ends: &[u32; 2]| self.faces.subsegment(self.view, *ends);
+        let own = collected(rim.iter().filter_map(of))?;
+        self.chains.note_rim(facet, &own)
+    }
+
+    /// Returns true if two ends are different vertices.
+    fn are_vertices(&self, ends: [u32; 2]) -> bool {
+        ends[0] != ends[1] && ends.iter().all(|&end| (end as usize) < self.view.vertex_count())
+    }
+
+    /// Follows a chain of what is read as split. Only vertices at crossings bend short edges.
+    fn read_crossings(&mut self, ends: [u32; 2]) -> Way {
+        let way = Way { segment: NONE, ends };
+        self.read(true);
+        if self.chains.is_short(way) {
+            let inputs = self.inputs.distinct().min(self.reading.is_firm.len());
+            self.chains.read(self.crossings, &self.reading.is_firm[..inputs]);
+        }
+        way
+    }
+
     /// Searches for a chain along an edge of the extent's boundary, as [`Self::find`] does. Such
     /// may bend through all inputs, where it does not lead straight on.
     fn find_of_frame(&mut self, ends: [u32; 2]) -> AllocResult<bool> {
@@ -164,8 +202,7 @@ impl<'a> Ways<'a> {
     }
 
     fn lead(&mut self, ends: [u32; 2], splits: bool) -> AllocResult<bool> {
-        let are_vertices = ends.iter().all(|&end| (end as usize) < self.view.vertex_count());
-        if !are_vertices || ends[0] == ends[1] {
+        if !self.are_vertices(ends) {
             return Ok(false);
         }
         if self.faces.subsegment(self.view, ends).is_some() {
@@ -174,12 +211,10 @@ impl<'a> Ways<'a> {
             return Ok(true);
         }
         let way = Way { segment: NONE, ends };
-        // Only vertices at crossings bend short edges.
         let is_found = match (self.chains.is_short(way), splits) {
             (true, false) => self.chains.lead_straight(way, self.inputs.distinct())?,
             (true, true) => {
-                let inputs = self.inputs.distinct().min(self.reading.is_firm.len());
-                self.chains.read(self.crossings, &self.reading.is_firm[..inputs]);
+                let way = self.read_crossings(ends);
                 self.chains.lead(way)?
             }
             (false, _) => self.chains.lead(way)?,
@@ -213,7 +248,7 @@ impl<'a> Ways<'a> {
         let splits = self.splits(facet);
         let is_found = match facet {
             NONE => self.find_of_frame(ends)?,
-            _ => self.find(ends, splits)?,
+            _ => self.find_of_facet(facet, ends)?,
         };
         findings.check(is_found, || {
             let [from, to] = ends;

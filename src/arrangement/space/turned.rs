@@ -1,0 +1,57 @@
+//! Triangles that were led through vertices near their edges, and are turned round since. What is
+//! no wider than its edges are bent may be turned anyhow; as a facet of its own it cannot be told
+//! from the other side.
+
+use super::merge::Surface;
+use super::projection::{Projection, normal};
+use crate::error::{Error, Result};
+use crate::memory::filled;
+use crate::mesh::NONE;
+
+/// Part of the largest component of a normal from which on a projection along another axis serves
+/// as well.
+const PART: f64 = 0.5;
+
+/// Bits of all axes.
+const ALL: u8 = 0b111;
+
+/// Refuses a surface if parts of a triangle of the caller's are a facet of their own, which `firsts`
+/// tells by its first triangle, and if there is no projection in which all of them turn as the
+/// triangle does. O(n) for n triangles.
+pub(super) fn refuse_turned(
+    points: &[[f64; 3]],
+    surface: &Surface<'_>,
+    firsts: &[u32],
+) -> Result<()> {
+    let corners = |own: [u32; 3]| own.map(|vertex| &points[vertex as usize]);
+    // Facet -> the axes along which it may be seen; and the triangle that it is a part of.
+    let mut axes = filled(firsts.len(), ALL)?;
+    let mut origins = filled(firsts.len(), NONE)?;
+    let members = || firsts.iter().zip(surface.origins).zip(surface.triangles);
+    for ((&first, &origin), &own) in members().filter(|((first, _), _)| **first != NONE) {
+        let known = &mut origins[first as usize];
+        let is_same = *known == NONE || *known == origin;
+        *known = if is_same { origin } else { surface.given.len() as u32 };
+        let given = surface.given[origin as usize];
+        if own != given {
+            axes[first as usize] &= axes_alike(corners(given), corners(own));
+        }
+    }
+    for ((&first, &origin), &own) in members().filter(|((first, _), _)| **first != NONE) {
+        if axes[first as usize] == 0 && origins[first as usize] == origin {
+            return Err(Error::without_room_for_facets(corners(own)[0]));
+        }
+    }
+    Ok(())
+}
+
+/// Returns the axes, as bits, along which a triangle may be seen and another turns as it does.
+fn axes_alike(given: [&[f64; 3]; 3], own: [&[f64; 3]; 3]) -> u8 {
+    let normal = normal(given).map(f64::abs);
+    let largest = normal.into_iter().fold(0.0, f64::max);
+    let is_alike = |&axis: &usize| {
+        let projection = Projection::ALL[axis];
+        normal[axis] >= PART * largest && projection.turn(own) == projection.turn(given)
+    };
+    (0..3).filter(is_alike).fold(0, |bits, axis| bits | 1 << axis)
+}

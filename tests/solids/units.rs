@@ -2,6 +2,7 @@
 
 use super::crossings::{split, surface};
 use super::{Point, assert_holds, bounded};
+use netmesh::error::ErrorKind;
 use netmesh::options::{Extent, Options};
 
 /// Returns the points that are so many units from another one on all axes.
@@ -145,4 +146,59 @@ fn facets_borrow_from_those_in_their_plane() {
     let points = points(2f64.powi(52), f64::EPSILON, &steps);
     let triangles = [[2, 4, 0], [5, 4, 0], [4, 3, 5], [1, 0, 3], [3, 5, 4]];
     assert_conforms(&points, &triangles, &[], &split(Extent::All, f64::INFINITY));
+}
+
+/// Holds that the certificate takes of two chains that may be an edge's the one at the rim of its
+/// facet's own subfacets, whether or not there is a subsegment straight from end to end.
+#[test]
+fn facets_end_at_the_rims_of_their_subfacets() {
+    let high = 2f64.powi(40);
+    let between_two = [
+        [high, 0.0, 0.0],
+        [4.0, -high, 2.0],
+        [8192.0, 16.0, 16.0],
+        [0.0; 3],
+        [-3.0, -WIDE, 0.0],
+        [6.0, 0.0, 0.0],
+        [3.0, 4096.0, 0.0],
+    ];
+    let past_a_corner = [
+        [0.0; 3],
+        [0.0, 0.0, 2.0],
+        [WIDE, 0.0, 0.0],
+        [-4.0, 0.0, 0.0],
+        [0.0, -3.0, -WIDE],
+        [8.0, 4096.0, 2.0],
+    ];
+    for (steps, triangles) in [
+        (&between_two[..], &[[2, 4, 6], [1, 0, 3]][..]),
+        (&past_a_corner, &[[0, 4, 5], [4, 2, 0], [4, 2, 3]]),
+    ] {
+        let points = points(2f64.powi(52), f64::EPSILON, steps);
+        assert_conforms(&points, triangles, &[], &split(Extent::All, f64::INFINITY));
+    }
+}
+
+/// Holds that a triangle is refused of which an edge is led through a vertex beside the opposite
+/// corner, so that it would be turned round.
+#[test]
+fn triangles_that_bends_turn_round_have_no_room() {
+    let steps = [
+        [-12.0, 8.0, -4096.0],
+        [0.0, 0.0, 6.0],
+        [2.0, 0.0, 0.0],
+        [0.0; 3],
+        [-12.0, 0.0, 0.0],
+        [0.0, -2.0, 0.0],
+        [-WIDE, 0.0, -3.0],
+    ];
+    let points = points(2f64.powi(52), f64::EPSILON, &steps);
+    for options in [bounded(f64::INFINITY), split(Extent::All, f64::INFINITY)] {
+        let mut mesh = surface(&points, &[[3, 6, 5], [3, 1, 0]]);
+        let options = Options { extent: Extent::All, ..options };
+        let error = mesh.run(&options, None).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::Limit, "{error}");
+        let expected = "doubles have no room for a triangle of facets near (";
+        assert!(error.message().starts_with(expected), "{error}");
+    }
 }

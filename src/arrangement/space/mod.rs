@@ -12,6 +12,7 @@
 //!   first of them; [`duplicates`] has triangles that are there several times.
 //! - [`merge`] makes one facet of triangles that [`bends`] shows to be in one plane; [`facets`]
 //!   puts these and polygons into the arrangement, and [`lines`] the edges at which they end.
+//!   [`turned`] refuses what bends have turned round.
 //! - [`closed`] tells whether facets are closed surfaces, and whether they enclose something;
 //!   [`sides`] has what meets at an edge. [`holes`] finds loops at which surfaces are open, and
 //!   [`filling`] has triangles that close one.

@@ -15,9 +15,9 @@ const PART: f64 = 0.5;
 /// Bits of all axes.
 const ALL: u8 = 0b111;
 
-/// Refuses a surface if parts of a triangle of the caller's are a facet of their own, which `firsts`
-/// tells by its first triangle, and if there is no projection in which all of them turn as the
-/// triangle does. O(n) for n triangles.
+/// Refuses a surface if parts of a triangle of the caller's are a facet of their own, and if there
+/// is no projection in which all of them turn as the triangle does. `firsts`: triangle -> the first
+/// one of its facet. O(n) for n triangles.
 pub(super) fn refuse_turned(
     points: &[[f64; 3]],
     surface: &Surface<'_>,
@@ -27,8 +27,9 @@ pub(super) fn refuse_turned(
     // Facet -> the axes along which it may be seen; and the triangle that it is a part of.
     let mut axes = filled(firsts.len(), ALL)?;
     let mut origins = filled(firsts.len(), NONE)?;
-    let members = || firsts.iter().zip(surface.origins).zip(surface.triangles);
-    for ((&first, &origin), &own) in members().filter(|((first, _), _)| **first != NONE) {
+    let all = || firsts.iter().zip(surface.origins).zip(surface.triangles);
+    let members = || all().filter(|((first, _), _)| **first != NONE);
+    for ((&first, &origin), &own) in members() {
         let known = &mut origins[first as usize];
         let is_same = *known == NONE || *known == origin;
         *known = if is_same { origin } else { surface.given.len() as u32 };
@@ -37,7 +38,7 @@ pub(super) fn refuse_turned(
             axes[first as usize] &= axes_alike(corners(given), corners(own));
         }
     }
-    for ((&first, &origin), &own) in members().filter(|((first, _), _)| **first != NONE) {
+    for ((&first, &origin), &own) in members() {
         if axes[first as usize] == 0 && origins[first as usize] == origin {
             return Err(Error::without_room_for_facets(corners(own)[0]));
         }

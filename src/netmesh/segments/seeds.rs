@@ -215,8 +215,8 @@ impl<const D: usize> State<D> {
 impl State<3> {
     /// Returns the caller's facet that a point of the closure of `simplex` is on; [`NONE`] for a
     /// side of the hull or box. On an edge or at a vertex of a facet it may be that no face of the
-    /// simplex is of that facet, so that all at its vertices are asked: `subfacets_at` has them, and
-    /// is filled where it is `None`.
+    /// simplex is of that facet, so that all at its vertices are asked: `subfacets_at` has them,
+    /// and is filled where it is `None`.
     fn facet_under(
         &self,
         x: &[f64; 3],

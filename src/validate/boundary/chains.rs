@@ -52,8 +52,10 @@ pub(super) struct Chains<'a, const D: usize> {
     /// Vertex -> true if no way bends through it; vertices beyond are not such.
     is_firm: &'a [bool],
     /// Subsegment -> the facet at the rim of whose own subfacets it was noted last, or [`NONE`];
-    /// those beyond were not noted. And the facet to whose rim a search keeps, or [`NONE`].
-    rims: (Vec<u32>, u32),
+    /// those beyond were not noted.
+    rim_of: Vec<u32>,
+    /// Facet to the rim of whose own subfacets a search keeps, or [`NONE`].
+    keeps_to: u32,
 }
 
 /// A segment between two vertices, or with [`NONE`] a side of the extent, which has all
@@ -105,8 +107,20 @@ impl<'a, const D: usize> Chains<'a, D> {
     pub fn new(view: View<'a, D>, at: &'a Lists) -> AllocResult<Self> {
         let reached = filled(view.vertex_count(), (NONE, NONE))?;
         let (path, waiting) = Default::default();
-        let (roundings, is_firm, rims) = (Roundings::of_axes(), &[][..], (Vec::new(), NONE));
-        Ok(Self { view, at, reached, searches: 0, path, waiting, roundings, is_firm, rims })
+        let (roundings, is_firm, rim_of) = (Roundings::of_axes(), &[][..], Vec::new());
+        let (searches, keeps_to) = (0, NONE);
+        Ok(Self {
+            view,
+            at,
+            reached,
+            searches,
+            path,
+            waiting,
+            roundings,
+            is_firm,
+            rim_of,
+            keeps_to,
+        })
     }
 
     /// Takes other roundings from now on, and some vertices for on a way only where they are
@@ -117,18 +131,18 @@ impl<'a, const D: usize> Chains<'a, D> {
 
     /// Notes subsegments at the rim of a facet's own subfacets.
     pub fn note_rim(&mut self, facet: u32, subsegments: &[u32]) -> AllocResult<()> {
-        if self.rims.0.is_empty() {
-            self.rims.0 = filled(self.view.mesh.boundary.subsegments.len(), NONE)?;
+        if self.rim_of.is_empty() {
+            self.rim_of = filled(self.view.mesh.boundary.subsegments.len(), NONE)?;
         }
-        subsegments.iter().for_each(|&subsegment| self.rims.0[subsegment as usize] = facet);
+        subsegments.iter().for_each(|&subsegment| self.rim_of[subsegment as usize] = facet);
         Ok(())
     }
 
     /// Fills `path` as [`Self::lead`] does, along the rim that was noted of a facet alone.
     pub fn lead_along_rim(&mut self, way: Way, facet: u32) -> AllocResult<bool> {
-        self.rims.1 = facet;
+        self.keeps_to = facet;
         let is_found = self.lead(way);
-        self.rims.1 = NONE;
+        self.keeps_to = NONE;
         is_found
     }
 
@@ -303,9 +317,8 @@ impl<'a, const D: usize> Chains<'a, D> {
         let [a, b] = boundary.subsegments[subsegment as usize];
         let next = if a == vertex { b } else { a };
         let parent = boundary.parents[subsegment as usize];
-        let (rims, facet) = (&self.rims.0, self.rims.1);
-        let is_at_rim = facet == NONE || rims.get(subsegment as usize) == Some(&facet);
-        let is_on = is_at_rim
+        let rim_of = self.rim_of.get(subsegment as usize);
+        let is_on = (self.keeps_to == NONE || rim_of == Some(&self.keeps_to))
             && (parent < way.segment || way.segment == NONE)
             && self.advances(way, vertex, next)
             && (next == to || self.advances(way, next, to))

@@ -179,10 +179,10 @@ fn facets_end_at_the_rims_of_their_subfacets() {
     }
 }
 
-/// Holds that a triangle is refused of which an edge is led through a vertex beside the opposite
-/// corner, so that it would be turned round.
+/// Holds that no edge is led through vertices beside it where a facet would be turned round, or two
+/// edges meet beside their corner: the facet is as it is, or doubles have no room for it.
 #[test]
-fn triangles_that_bends_turn_round_have_no_room() {
+fn edges_are_led_through_nothing_that_turns_a_facet() {
     let steps = [
         [-12.0, 8.0, -4096.0],
         [0.0, 0.0, 6.0],
@@ -192,13 +192,70 @@ fn triangles_that_bends_turn_round_have_no_room() {
         [0.0, -2.0, 0.0],
         [-WIDE, 0.0, -3.0],
     ];
-    let points = points(2f64.powi(52), f64::EPSILON, &steps);
+    let needles = points(2f64.powi(52), f64::EPSILON, &steps);
+    let flat = [
+        [2.0, 0.0, 0.0],
+        [16.0, -8192.0, 1_048_576.0],
+        [0.0, 0.0, -3.0],
+        [0.0; 3],
+        [-4.0, 4.0, 0.0],
+    ];
+    let flat = points(2f64.powi(52), f64::EPSILON, &flat);
+    let corner = [[32_768.0, 0.0, 0.0], [0.0; 3], [TOP; 3], [2.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
+    let corner = points(2f64.powi(52), f64::EPSILON, &corner);
     for options in [bounded(f64::INFINITY), split(Extent::All, f64::INFINITY)] {
-        let mut mesh = surface(&points, &[[3, 6, 5], [3, 1, 0]]);
         let options = Options { extent: Extent::All, ..options };
-        let error = mesh.run(&options, None).unwrap_err();
-        assert_eq!(error.kind(), ErrorKind::Limit, "{error}");
-        let expected = "doubles have no room for a triangle of facets near (";
-        assert!(error.message().starts_with(expected), "{error}");
+        for (points, triangles) in [
+            (&corner, &[[2, 1, 0]][..]),
+            (&flat, &[[2, 1, 3]]),
+            (&needles, &[[3, 6, 5], [3, 1, 0]]),
+        ] {
+            let mut mesh = surface(points, triangles);
+            match mesh.run(&options, None) {
+                Ok(()) => assert_holds(&mesh),
+                Err(error) => {
+                    assert_eq!(error.kind(), ErrorKind::Limit, "{error}");
+                    assert!(error.message().contains("doubles have no room for"), "{error}");
+                }
+            }
+        }
     }
+}
+
+/// Holds that what is left of a triangle is refused where crossings were split and it is turned
+/// round.
+#[test]
+fn triangles_that_bends_turn_round_have_no_room() {
+    let steps = [
+        [0.0, 0.0, -8192.0],
+        [0.0; 3],
+        [12.0, 0.0, 2f64.powi(50)],
+        [1.0, 0.0, 0.0],
+        [0.0, -2f64.powi(50), 0.0],
+        [0.0, -8.0, -4096.0],
+    ];
+    let points = points(2f64.powi(52), f64::EPSILON, &steps);
+    let mut mesh = surface(&points, &[[5, 3, 1], [0, 3, 2]]);
+    let error = mesh.run(&split(Extent::All, f64::INFINITY), None).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::Limit, "{error}");
+    let expected = "doubles have no room for a triangle of facets near (";
+    assert!(error.message().starts_with(expected), "{error}");
+}
+
+/// Holds that the certificate takes triangles for one facet that were split and bent into one
+/// plane: no line between them shows in the mesh.
+#[test]
+fn facets_that_are_bent_into_one_plane_are_one() {
+    let steps = [
+        [0.0, 6144.0, 0.0],
+        [TOP, TOP, 6_442_450_944.0],
+        [TOP; 3],
+        [0.0, 0.0, WIDE],
+        [WIDE, WIDE, TOP],
+        [0.0, -4.0, 1_073_741_824.0],
+        [0.0, -49_152.0, 0.5 * WIDE],
+    ];
+    let points = points(5_889_287.0, f64::from_bits(1), &steps);
+    let triangles = [[1, 2, 5], [4, 5, 3], [5, 3, 1], [3, 1, 6]];
+    assert_conforms(&points, &triangles, &[], &split(Extent::All, f64::INFINITY));
 }

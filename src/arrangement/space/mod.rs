@@ -160,7 +160,7 @@ pub fn arrange_in_space(task: &TaskInSpace<'_>, poll: Poll<'_>) -> Result<Arrang
 
 /// Returns pieces that go through the inputs on them that they do not have, and these inputs;
 /// `None` if there are none. Only inputs exactly on pieces count if pieces that bend through others
-/// meet.
+/// meet, are turned round, or bend through one beside a corner of theirs.
 fn through_isolated(
     points: &[[f64; 3]],
     task: &TaskInSpace<'_>,
@@ -173,7 +173,9 @@ fn through_isolated(
             return Ok(None);
         }
         let through = Pieces::new(points, task, &isolated, poll)?;
-        if intersections::all(points, &through, poll)?.is_empty() {
+        let is_sound = is_exact
+            || !isolated.is_beside_corner()? && turned::turn_as_given(points, task, &through)?;
+        if is_sound && intersections::all(points, &through, poll)?.is_empty() {
             return Ok(Some((through, isolated)));
         }
     }

@@ -2,10 +2,12 @@
 //! no wider than its edges are bent may be turned anyhow; as a facet of its own it cannot be told
 //! from the other side.
 
+use super::TaskInSpace;
 use super::merge::Surface;
+use super::pieces::Pieces;
 use super::projection::{Projection, normal};
 use crate::error::{Error, Result};
-use crate::memory::filled;
+use crate::memory::{AllocResult, collected, filled};
 use crate::mesh::NONE;
 
 /// Part of the largest component of a normal from which on a projection along another axis serves
@@ -44,6 +46,25 @@ pub(super) fn refuse_turned(
         }
     }
     Ok(())
+}
+
+/// Returns true if all pieces of each of the caller's triangles turn as this does, in a projection.
+/// O(n) for n pieces.
+pub(super) fn turn_as_given(
+    points: &[[f64; 3]],
+    task: &TaskInSpace<'_>,
+    pieces: &Pieces,
+) -> AllocResult<bool> {
+    let corners = |own: [u32; 3]| own.map(|vertex| &points[vertex as usize]);
+    let given = collected(task.triangles())?;
+    let mut axes = filled(given.len(), ALL)?;
+    for piece in &pieces.all {
+        let (Some(own), Some(facet)) = (piece.triangle(), piece.facet()) else { continue };
+        if let Some(&given) = given.get(facet as usize).filter(|&&given| given != own) {
+            axes[facet as usize] &= axes_alike(corners(given), corners(own));
+        }
+    }
+    Ok(!axes.contains(&0))
 }
 
 /// Returns the axes, as bits, along which a triangle may be seen and another turns as it does.

@@ -7,7 +7,7 @@
 use super::super::sum::Sum;
 use super::directions::{across, cosine, direction};
 use super::given::{Facet, Projection, point};
-use super::plane::AreaVector;
+use super::plane::{self, AreaVector};
 use super::tiling;
 use super::ways::Ways;
 use crate::error::message;
@@ -332,7 +332,17 @@ fn check_pair(
     let allowed = allowed_sine(ways);
     let is_flat = |triangle, apex: [u32; 3]| offset(ways.inputs, triangle, apex[0]) <= allowed;
     let is_fold = is_fold(ways.inputs, first, second);
-    let fits = is_flat(first, second_apex) || is_flat(second, first_apex);
+    // What was split may be bent into the plane of others.
+    let splits = ways.splits(one.1) && ways.splits(other.1);
+    let is_near = |triangle: [u32; 3], apex: [u32; 3]| {
+        let corners = triangle.map(|corner| ways.input(corner));
+        let units = ways.roundings(true).units_of(corners);
+        splits && plane::is_beside(corners, &units, ways.input(apex[0]))
+    };
+    let fits = is_flat(first, second_apex)
+        || is_flat(second, first_apex)
+        || is_near(first, second_apex)
+        || is_near(second, first_apex);
     findings.check(is_one && fits && !is_fold, || {
         let (a, b) = (one.1, other.1);
         let message = message!(

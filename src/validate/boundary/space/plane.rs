@@ -132,6 +132,15 @@ impl Slab {
     }
 }
 
+/// Returns true if a point is no farther from the plane of a triangle than one through which a
+/// facet may be bent, in some units.
+pub(super) fn is_beside(corners: [&[f64; 3]; 3], units: &[f64; 3], x: &[f64; 3]) -> bool {
+    let Some((normal, _)) = AreaVector::of_triangle(corners).rounded() else { return false };
+    let mut slab = Slab::of(&normal, corners.into_iter());
+    slab.widen(&normal, &units.map(|unit| BENT * unit));
+    slab.holds(&normal, x)
+}
+
 /// Returns the normal of a side of a hull: the mean over its triangles, which is its area vector,
 /// or where its corners are in no plane with that, that of a large triangle between them. A narrow
 /// strip that roundings bend turns the mean by more than they are of the side's extent.

@@ -58,13 +58,14 @@ impl Isolated {
         all.filter(|&bits| bits > 0).map(f64::from_bits)
     }
 
-    /// Returns true if a vertex is on two edges that have an end in common, on one of them only up
-    /// to roundings: it is beside that end, where the edges have no area between them. O(n log n).
+    /// Returns true if a vertex is on two edges that have an end in common, on one of them exactly
+    /// and on the other up to roundings: if both go through it, their corner has no area. O(n log
+    /// n).
     pub fn is_beside_corner(&self) -> AllocResult<bool> {
         let mut all = collected(self.on_edges.iter().map(|&(edge, at, bits)| (at, edge, bits)))?;
         all.sort_unstable();
         let is_corner = |&(_, one, bits): &(u32, [u32; 2], u64), other: &(u32, [u32; 2], u64)| {
-            bits.max(other.2) > 0 && one.iter().any(|end| other.1.contains(end))
+            (bits == 0) != (other.2 == 0) && one.iter().any(|end| other.1.contains(end))
         };
         Ok(all.chunk_by(|a, b| a.0 == b.0).any(|own| {
             (0..own.len()).any(|at| own[at + 1..].iter().any(|next| is_corner(&own[at], next)))

@@ -224,10 +224,9 @@ pub(super) fn expected_rim(
     let (mut pieces, mut is_whole) = (Vec::new(), true);
     if ways.splits(facet.parent) {
         let own = &ways.view.mesh.boundary.subfacets[range(ways.view, facet.parent)];
-        let edges = sorted_edges(own)?;
-        let is_single = |same: &&[Directed]| same.len() == 1;
-        let rim = edges.chunk_by(|a, b| a.0 == b.0).filter(is_single).map(|same| same[0].0);
-        ways.note_rim(facet.parent, &collected(rim)?)?;
+        // Which edges are in several subfacets is asked of all tiles.
+        let rim = rim(facet.parent, &sorted_edges(own)?, &mut Findings::counting())?;
+        ways.note_rim(facet.parent, &collected(rim.iter().map(|edge| edge.0))?)?;
     }
     for &ends in &facet.rim {
         if !ways.check_edge(facet.parent, ends, findings)? {

@@ -146,7 +146,8 @@ fn far_triangle(points: &[[f64; 3]], all: &[u32]) -> Option<[u32; 3]> {
 }
 
 /// Returns the point of some that is farthest out; of those that are as far but for roundings the
-/// one farthest from another point: so it is at the end of an edge or side, and not within.
+/// one farthest from another point: so it is at the end of an edge or side, and not within. `None`
+/// only if there are none.
 fn outermost(
     points: &[[f64; 3]],
     some: &[u32],
@@ -154,8 +155,13 @@ fn outermost(
     height: impl Fn(&[f64; 3]) -> f64,
 ) -> Option<u32> {
     const ALIKE: f64 = 1.0 - 1e-9;
+    // No point is below the base: heights are negative by roundings only.
+    let height = |x: &[f64; 3]| match height(x) {
+        below if below < 0.0 => 0.0,
+        height => height,
+    };
     let mut best: Option<(u32, f64)> = None;
-    let mut most = f64::NEG_INFINITY;
+    let mut most = 0.0f64;
     for &at in some {
         most = most.max(height(&points[at as usize]));
     }
@@ -325,5 +331,44 @@ impl Maker<'_> {
             self.all[next as usize].neighbors[2] = number;
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::testing;
+
+    fn exact(points: &[[f64; 3]]) -> Option<Vec<[u32; 3]>> {
+        let hull = convex_hull(points, None, &mut |_| Ok(())).unwrap()?;
+        assert!(hull.outside.is_empty());
+        for triangle in &hull.triangles {
+            let [a, b, c] = triangle.map(|at| &points[at as usize]);
+            assert!(points.iter().all(|x| !orientation(&[a, b, c, x]).is_positive()), "{points:?}");
+        }
+        Some(hull.triangles)
+    }
+
+    /// The origin is outside of the other four by so little that its height in doubles is negative.
+    #[test]
+    fn a_vertex_of_a_hull_may_be_lower_than_roundings() {
+        let points = [
+            [-1.9998561151304963, -7.495719343555121e-31, 8.435436762071315e264],
+            [3.439829529116181e181, -3.105036554750705e231, 3.39537782945e-313],
+            [4.0525751602025065e228, 4.6856554937365e-32, 4.523804806624566e-58],
+            [2.4055026333848733e-83, 4.822578756255e-312, 0.0],
+            [0.0; 3],
+        ];
+        assert_eq!(exact(&points).unwrap().len(), 6);
+    }
+
+    #[test]
+    fn exact_hulls_leave_no_point_outside() {
+        for family in testing::FAMILIES {
+            let mut random = testing::Random(5);
+            for _ in 0..200 {
+                exact(&testing::points(family, 8, &mut random));
+            }
+        }
     }
 }

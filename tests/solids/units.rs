@@ -259,3 +259,60 @@ fn facets_that_are_bent_into_one_plane_are_one() {
     let triangles = [[1, 2, 5], [4, 5, 3], [5, 3, 1], [3, 1, 6]];
     assert_conforms(&points, &triangles, &[], &split(Extent::All, f64::INFINITY));
 }
+
+/// Holds that an edge may have two ways within roundings, of which the certificate follows one: the
+/// subsegments of the other are the edge's, too.
+#[test]
+fn subsegments_along_a_split_edge_are_its_own() {
+    let steps = [
+        [-16.0, 0.0, 0.0],
+        [0.0, -1_048_576.0, 0.0],
+        [0.0, -16.0, 0.0],
+        [-1_048_576.0, 6.0, 0.0],
+        [0.0; 3],
+        [8.0, -1_048_576.0, -1.0],
+        [3.0, -2f64.powi(40), -2f64.powi(50)],
+        [-6.0, -1_048_576.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [-4096.0, 0.0, -WIDE],
+        [2.0, WIDE, 12.0],
+    ];
+    let points = points(2f64.powi(52), f64::EPSILON, &steps);
+    let triangles = [[3, 5, 8], [3, 10, 9], [0, 3, 10], [1, 8, 3], [3, 5, 0]];
+    assert_conforms(&points, &triangles, &[], &split(Extent::Box, f64::INFINITY));
+}
+
+/// Holds that needles of which edges are left out are left out, and what is on both sides of an
+/// edge without them may be one facet.
+#[test]
+fn needles_that_share_an_edge_are_left_out_with_it() {
+    let steps = [
+        [0.0; 3],
+        [-4.0, 0.0, 0.0],
+        [0.0, 0.0, -1_048_576.0],
+        [2.0, 1.0, -2.0],
+        [0.0, 0.0, 2.0],
+        [-8192.0, -2.0, 0.0],
+    ];
+    let points = points(2f64.powi(52), f64::EPSILON, &steps);
+    let triangles = [[4, 0, 1], [2, 1, 0], [5, 0, 1], [3, 4, 0], [3, 0, 5]];
+    assert_conforms(&points, &triangles, &[], &split(Extent::All, f64::INFINITY));
+}
+
+/// Holds that a needle without subfacets is left out where no subfacets of others tile it between
+/// the chains of its edges.
+#[test]
+fn needles_that_nothing_tiles_are_left_out() {
+    let (low, high) = (2f64.powi(40), 2f64.powi(50));
+    let steps = [
+        [-low, -1.0, 8192.0],
+        [2.0, 3.0, 0.0],
+        [0.0, high, -16.0],
+        [0.0; 3],
+        [0.0, 0.0, -6.0],
+        [-high, -4096.0, -high],
+    ];
+    let points = points(2f64.powi(52), f64::EPSILON, &steps);
+    let triangles = [[1, 0, 2], [2, 3, 5], [2, 0, 4], [1, 3, 5]];
+    assert_conforms(&points, &triangles, &[], &split(Extent::Box, f64::INFINITY));
+}

@@ -7,8 +7,8 @@
 use super::super::sum::Sum;
 use super::directions::{across, cosine, direction};
 use super::given::{Facet, Projection, point};
+use super::left_out::{is_left_out, kept_of, leave_out_narrow, leave_out_needles};
 use super::plane::{self, AreaVector};
-use super::tiling;
 use super::ways::Ways;
 use crate::error::message;
 use crate::memory::{AllocResult, Sets, TryGrow, collected, filled, with_capacity};
@@ -21,7 +21,7 @@ use crate::validate::report::{Findings, Violation, ViolationKind};
 const ROUNDED: f64 = 2e-12;
 
 /// Edge of a triangle: its ends, the lower first, the triangle, and true if that runs from there.
-type Side = ([u32; 2], u32, bool);
+pub(super) type Side = ([u32; 2], u32, bool);
 
 /// Checks which triangles of a surface are one facet, and calls `visit` with each facet and by how
 /// much the winding number grows behind it.
@@ -38,7 +38,7 @@ pub(super) fn each_facet(
     let mut balances = balances_of(&triangles, ways)?;
     leave_out_needles(&triangles, &mut balances, ways, findings)?;
     let mut kept = kept_of(&balances)?;
-    if leave_out_between(&triangles, &kept, &mut balances, ways)? {
+    if leave_out_narrow(&triangles, &kept, &mut balances, ways)? {
         kept = kept_of(&balances)?;
     }
     let mut sets = Sets::new(triangles.len())?;
@@ -153,102 +153,6 @@ fn balances_of(triangles: &[[u32; 3]], ways: &Ways<'_>) -> AllocResult<Vec<Optio
     Ok(balances)
 }
 
-/// Takes their balances from triangles that are no wider than roundings and have no subfacets: the
-/// chain along an edge goes through the opposite vertex. Chains must lead along all three edges.
-fn leave_out_needles(
-    triangles: &[[u32; 3]],
-    balances: &mut [Option<i64>],
-    ways: &mut Ways<'_>,
-    findings: &mut Findings,
-) -> AllocResult<()> {
-    let kept = (0u32..).zip(triangles).zip(balances).filter(|(_, balance)| balance.is_some());
-    for ((number, &[a, b, c]), balance) in kept {
-        if !ways.splits(number) || !tiling::range(ways.view, number).is_empty() {
-            continue;
-        }
-        let edges = [[a, b], [b, c], [c, a]];
-        let mut is_needle = false;
-        for (edge, opposite) in edges.into_iter().zip([c, a, b]) {
-            is_needle |= ways.find(edge, true)? && ways.vertices_on_way().contains(&opposite);
-        }
-        if is_needle {
-            for edge in edges {
-                ways.check_edge(number, edge, findings)?;
-            }
-            *balance = None;
-        }
-    }
-    Ok(())
-}
-
-/// Returns the triangles that have a balance.
-fn kept_of(balances: &[Option<i64>]) -> AllocResult<Vec<u32>> {
-    let kept = (0u32..).zip(balances).filter(|(_, balance)| balance.is_some());
-    collected(kept.map(|(triangle, _)| triangle))
-}
-
-/// Takes their balances from triangles that are no wider than an edge may be bent and stand between
-/// others which are one facet without them: along some of their edges leads no chain, and each of
-/// these has two other triangles, or none. Returns true if there are such.
-fn leave_out_between(
-    triangles: &[[u32; 3]],
-    kept: &[u32],
-    balances: &mut [Option<i64>],
-    ways: &mut Ways<'_>,
-) -> AllocResult<bool> {
-    // Triangle -> true if it is so narrow; and of its edges without a chain, how many have two
-    // other triangles or none, and how many have not.
-    let mut is_narrow = filled(triangles.len(), false)?;
-    for &triangle in kept {
-        let own = triangles[triangle as usize];
-        is_narrow[triangle as usize] = ways.splits(triangle) && ways.is_needle(own)?;
-    }
-    if !is_narrow.contains(&true) {
-        return Ok(false);
-    }
-    let mut open = filled(triangles.len(), [0u8; 2])?;
-    for same in sides(triangles, kept)?.chunk_by(|a, b| a.0 == b.0) {
-        let narrow = || same.iter().filter(|side| is_narrow[side.1 as usize]);
-        if narrow().next().is_none() || ways.find(same[0].0, true)? {
-            continue;
-        }
-        let others = same.len() - narrow().count();
-        let needs_it = usize::from(others != 0 && others != 2);
-        narrow().for_each(|side| open[side.1 as usize][needs_it] += 1);
-    }
-    let mut is_any = false;
-    for &triangle in kept {
-        let [spared, needed] = open[triangle as usize];
-        if spared > 0 && needed == 0 {
-            balances[triangle as usize] = None;
-            is_any = true;
-        }
-    }
-    Ok(is_any)
-}
-
-/// Returns true if a facet has nothing to keep since crossings are split: all its triangles are
-/// no wider than an edge may be bent, and nobody else has one of its edges.
-fn is_left_out(
-    facet: &Facet,
-    triangles: &[[u32; 3]],
-    group: &[(u32, u32)],
-    ways: &mut Ways<'_>,
-) -> AllocResult<bool> {
-    for &(_, triangle) in group {
-        let own = triangles[triangle as usize];
-        if !ways.splits(triangle) || !ways.is_needle(own)? {
-            return Ok(false);
-        }
-    }
-    for &edge in &facet.rim {
-        if !ways.find(edge, true)? {
-            return Ok(true);
-        }
-    }
-    Ok(false)
-}
-
 /// Returns a triangle from one of its vertices on.
 fn from_vertex([a, b, c]: [u32; 3], first: u32) -> [u32; 3] {
     match first {
@@ -259,7 +163,7 @@ fn from_vertex([a, b, c]: [u32; 3], first: u32) -> [u32; 3] {
 }
 
 /// Returns the sides of those of some triangles that have the given numbers.
-fn sides(triangles: &[[u32; 3]], numbers: &[u32]) -> AllocResult<Vec<Side>> {
+pub(super) fn sides(triangles: &[[u32; 3]], numbers: &[u32]) -> AllocResult<Vec<Side>> {
     let of_triangle = |&triangle: &u32| {
         let [a, b, c] = triangles[triangle as usize];
         [[a, b], [b, c], [c, a]].map(|[a, b]| ([a.min(b), a.max(b)], triangle, a < b))

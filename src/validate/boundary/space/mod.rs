@@ -5,9 +5,9 @@
 //! - Level 2, `faces`: subsegments are edges and subfacets faces of the mesh, which is exactly
 //!   Delaunay; `ways`: chains of subsegments lead along segments and along the edges of facets, and
 //!   there are no others, each as given or split by its `reading`; `groups`: which triangles of a
-//!   surface are one facet; `tiling`: the subfacets of a facet, which `tiles` finds, tile it in the
-//!   projection along an axis; `plane`: their vertices are as near to its plane as rounding lets
-//!   them be; `frame`: the boundary of a hull or box.
+//!   surface are one facet; `left_out`: which have nothing to keep; `tiling`: the subfacets of a
+//!   facet, which `tiles` finds, tile it in the projection along an axis; `plane`: their vertices
+//!   are as near to its plane as rounding lets them be; `frame`: the boundary of a hull or box.
 //! - Level 3: what regions have in common with the plane's, with the volumes of labels; `frame`:
 //!   the volume of a hull, by [`hull`], or box; `flat`: the simplices within facets; `forced`:
 //!   those that small angles excuse.
@@ -22,6 +22,7 @@ mod given;
 mod groups;
 mod hull;
 mod inside;
+mod left_out;
 mod plane;
 mod reading;
 #[cfg(test)]
@@ -88,7 +89,7 @@ fn check_reading(
                 tiling::check(facet, ways, findings)
             })?;
             frame::check(&mut ways, findings)?;
-            ways.check_owners(findings);
+            ways.check_owners(findings)?;
         }
         None => {
             tiling::check_rims(view, faces, findings)?;

@@ -10,7 +10,7 @@ use super::super::sum::Sum;
 use super::faces::Faces;
 use super::given::{Facet, Projection};
 use super::plane::{self, largest_axis};
-use super::tiles;
+use super::tiles::{self, Tile};
 use super::ways::Ways;
 use crate::error::message;
 use crate::memory::{AllocResult, TryGrow, collected};
@@ -90,13 +90,8 @@ pub(super) fn check(
     check_orientations(facet, ways.view, subfacets, findings)?;
     let edges = sorted_edges(subfacets)?;
     rim(facet.parent, &edges, findings)?;
-    let sides = tiles.iter().flat_map(|tile| {
-        let [a, b, c] = tile.vertices;
-        [[a, b], [b, c], [c, a]].map(|edge| turned_upwards(edge, tile.times))
-    });
-    let found = summed(collected(sides)?)?;
     if is_whole {
-        check_rim(facet.parent, &found, &expected, findings);
+        check_rim(facet.parent, &rim_of(&tiles)?, &expected, findings);
     }
     check_within(facet, ways, &edges, subfacets, findings)?;
     let all = tiles.iter().flat_map(|tile| (0..tile.times).map(|_| tile.vertices));
@@ -106,6 +101,24 @@ pub(super) fn check(
     vertices.dedup();
     plane::check(facet, vertices.into_iter(), ways, findings);
     Ok(())
+}
+
+/// Returns true if chains lead along all edges of a facet, and its tiles end there.
+pub(super) fn is_tiled(facet: &Facet, ways: &mut Ways<'_>) -> AllocResult<bool> {
+    let (expected, is_whole) = expected_rim(facet, ways, &mut Findings::counting())?;
+    let tiles = tiles::tiles(facet, &expected, ways)?;
+    // They are found anew when they are checked.
+    tiles.iter().for_each(|tile| ways.tile_of[tile.subfacet as usize] = (NONE, 0));
+    Ok(is_whole && rim_of(&tiles)? == expected)
+}
+
+/// Returns the edges at which tiles end, sorted.
+fn rim_of(tiles: &[Tile]) -> AllocResult<Vec<Edge>> {
+    let sides = tiles.iter().flat_map(|tile| {
+        let [a, b, c] = tile.vertices;
+        [[a, b], [b, c], [c, a]].map(|edge| turned_upwards(edge, tile.times))
+    });
+    summed(collected(sides)?)
 }
 
 /// Checks that the edges of facets of which nothing else is known are subsegments where they end.

@@ -33,6 +33,8 @@ pub(super) struct Ways<'a> {
     owners: Vec<u32>,
     /// Vertex -> true if it is an end of a subsegment.
     is_on_chain: Vec<bool>,
+    /// Ends of the edges of facets that are read as split along which chains lead.
+    split_edges: Vec<[u32; 2]>,
     /// Subfacet -> the facet that was last found to have it, or [`NONE`], and how many times.
     pub tile_of: Vec<(u32, i64)>,
     /// Facets and segments that do not hold as they are read.
@@ -62,7 +64,8 @@ impl<'a> Ways<'a> {
         let mut is_on_chain = filled(view.mesh.vertex_count(), false)?;
         let ends = view.mesh.boundary.subsegments.iter().flatten();
         ends.for_each(|&vertex| is_on_chain[vertex as usize] = true);
-        let (tile_of, path) = (filled(view.mesh.boundary.subfacets.len(), (NONE, 0))?, Vec::new());
+        let tile_of = filled(view.mesh.boundary.subfacets.len(), (NONE, 0))?;
+        let (path, split_edges) = Default::default();
         Ok(Self {
             view,
             faces,
@@ -75,6 +78,7 @@ impl<'a> Ways<'a> {
             is_covered,
             owners,
             is_on_chain,
+            split_edges,
             tile_of,
             failing,
         })
@@ -261,6 +265,9 @@ impl<'a> Ways<'a> {
         if is_found {
             self.check_vertices(Way { segment: NONE, ends }, splits, findings)?;
             self.cover(NONE);
+            if splits {
+                self.split_edges.try_push(ends)?;
+            }
         }
         Ok(is_found)
     }
@@ -320,8 +327,10 @@ impl<'a> Ways<'a> {
 
     /// Checks that every subsegment is on a chain, and of the first segment that has it. The
     /// boundary of a hull has subsegments of its own, and so have facets where they cross, if
-    /// crossings are split, or where a side of a box leaves them that is bent through their inputs.
-    pub fn check_owners(&self, findings: &mut Findings) {
+    /// crossings are split, or where a side of a box leaves them that is bent through their inputs;
+    /// and along an edge that is split there may be two ways within roundings.
+    pub fn check_owners(&mut self, findings: &mut Findings) -> AllocResult<()> {
+        self.read(true);
         let boundary = &self.view.mesh.boundary;
         let parameters = &self.view.mesh.parameters;
         let has_own = parameters.extent == Extent::Hull;
@@ -334,7 +343,8 @@ impl<'a> Ways<'a> {
             boundary.subsegments.iter().zip(&boundary.parents).enumerate()
         {
             let is_own = || is_of_frame([a, b]) || meets && self.is_between_facets([a, b]);
-            let is_known = self.is_covered[at] || parent == NONE && is_own();
+            let is_known = self.is_covered[at]
+                || parent == NONE && (is_own() || self.leads_along_edge([a, b])?);
             findings.check(is_known && parent == self.owners[at], || {
                 let message = message!(
                     "subsegment {at} from vertex {a} to {b} is of segment {parent}, and no chain \
@@ -343,5 +353,17 @@ impl<'a> Ways<'a> {
                 Violation::new(ViolationKind::SegmentLine, message).vertex(a as usize)
             });
         }
+        Ok(())
+    }
+
+    /// Returns true if a subsegment leads along an edge of a facet that is read as split, as the
+    /// chain of that may.
+    fn leads_along_edge(&self, subsegment: [u32; 2]) -> AllocResult<bool> {
+        for &ends in &self.split_edges {
+            if self.chains.leads_along(Way { segment: NONE, ends }, subsegment)? {
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 }

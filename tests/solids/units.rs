@@ -316,3 +316,83 @@ fn needles_that_nothing_tiles_are_left_out() {
     let triangles = [[1, 0, 2], [2, 3, 5], [2, 0, 4], [1, 3, 5]];
     assert_conforms(&points, &triangles, &[], &split(Extent::Box, f64::INFINITY));
 }
+
+/// Holds that of two ways along an edge within roundings the certificate takes the one that ends
+/// the facet's own subfacets, as far as these lead and in their direction; and that a triangle with
+/// subfacets of its own is part of no other facet.
+#[test]
+fn subfacets_tell_where_split_facets_end() {
+    let (low, high) = (2f64.powi(40), 2f64.powi(50));
+    let a_corner_within_roundings = [
+        [-4096.0, -2.0, 0.0],
+        [0.0, 0.0, -2.0],
+        [0.0, 0.0, -16.0],
+        [0.0, -16.0, 8192.0],
+        [0.0; 3],
+        [-4.0, 0.0, 0.0],
+    ];
+    let two_chains = [
+        [8192.0, 0.0, -8.0],
+        [-8192.0, 0.0, 2.0],
+        [0.0, low, 0.0],
+        [0.0, 0.0, -8192.0],
+        [-WIDE, -8192.0, 0.0],
+        [0.0, -1.0, 0.0],
+        [-low, 0.0, 3.0],
+        [-16.0, 0.0, 0.0],
+    ];
+    let beside_another = [
+        [-3.0, 0.0, -8192.0],
+        [0.0, 0.0, high],
+        [high, 0.0, 4.0],
+        [0.0, -8192.0, -1_048_576.0],
+        [1_048_576.0, 2.0, 0.0],
+    ];
+    for (steps, triangles) in [
+        (&a_corner_within_roundings[..], &[[4, 1, 2], [3, 0, 1], [5, 2, 1]][..]),
+        (&two_chains, &[[2, 1, 4], [6, 5, 2], [4, 2, 7], [4, 7, 5], [5, 6, 2]]),
+        (&beside_another, &[[1, 0, 2], [0, 4, 1], [4, 3, 2], [0, 3, 4], [2, 4, 3]]),
+    ] {
+        let points = points(2f64.powi(52), f64::EPSILON, steps);
+        assert_conforms(&points, triangles, &[], &split(Extent::All, f64::INFINITY));
+    }
+}
+
+/// Holds that vertices of a facet may be as far from its plane as an input beside it, through which
+/// it goes.
+#[test]
+fn facets_through_inputs_beside_them_are_bent_there() {
+    let steps = [
+        [0.0, WIDE, 0.0],
+        [3.0, WIDE, 1_048_576.0],
+        [-4096.0, 0.0, 0.0],
+        [2.0, 0.0, 2f64.powi(50)],
+        [0.0, 8.0, 12.0],
+        [0.0, -2f64.powi(50), -2f64.powi(40)],
+        [0.0, 1_048_576.0, 12.0],
+    ];
+    let points = points(2f64.powi(52), f64::EPSILON, &steps);
+    let options = Options { extent: Extent::All, ..bounded(f64::INFINITY) };
+    assert_conforms(&points, &[[5, 3, 0], [6, 2, 3]], &[], &options);
+}
+
+/// Holds that no facet keeps a line of which it has both sides, where a vertex is near one edge of
+/// its corner and much nearer to the other: it is on neither, and doubles have no room beside it.
+#[test]
+fn vertices_beside_a_corner_are_on_no_edge_there() {
+    let steps = [
+        [0.0; 3],
+        [0.0, 1_048_576.0, -3.0],
+        [-8.0, -3.0, 3.0],
+        [0.0, 1.0, 0.0],
+        [-4.0, 0.0, 0.0],
+        [-2f64.powi(40), 0.0, -WIDE],
+        [-4096.0, -16.0, 0.0],
+    ];
+    let points = points(2f64.powi(52), f64::EPSILON, &steps);
+    let mut mesh = surface(&points, &[[5, 0, 1], [0, 2, 6], [0, 1, 6]]);
+    let options = Options { extent: Extent::All, ..bounded(f64::INFINITY) };
+    let error = mesh.run(&options, None).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::Limit, "{error}");
+    assert!(error.message().contains("doubles have no room for"), "{error}");
+}

@@ -58,14 +58,17 @@ impl Isolated {
         all.filter(|&bits| bits > 0).map(f64::from_bits)
     }
 
-    /// Returns true if a vertex is on two edges that have an end in common, on one of them exactly
-    /// and on the other up to roundings: if both go through it, their corner has no area. O(n log
-    /// n).
+    /// Returns true if a vertex is on two edges that have an end in common, and much nearer to one
+    /// of them: if both go through it, their corner has no area. O(n log n).
     pub fn is_beside_corner(&self) -> AllocResult<bool> {
-        let mut all = collected(self.on_edges.iter().map(|&(edge, at, bits)| (at, edge, bits)))?;
+        const MUCH: f64 = 8.0;
+        let on_edges = self.on_edges.iter();
+        let mut all = collected(on_edges.map(|&(edge, at, bits)| (at, bits, edge)))?;
+        // By the vertices, the nearest first.
         all.sort_unstable();
-        let is_corner = |&(_, one, bits): &(u32, [u32; 2], u64), other: &(u32, [u32; 2], u64)| {
-            (bits == 0) != (other.2 == 0) && one.iter().any(|end| other.1.contains(end))
+        let is_corner = |one: &(u32, u64, [u32; 2]), other: &(u32, u64, [u32; 2])| {
+            let [near, far] = [one.1, other.1].map(f64::from_bits);
+            far > MUCH * near && one.2.iter().any(|end| other.2.contains(end))
         };
         Ok(all.chunk_by(|a, b| a.0 == b.0).any(|own| {
             (0..own.len()).any(|at| own[at + 1..].iter().any(|next| is_corner(&own[at], next)))

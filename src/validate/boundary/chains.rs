@@ -5,6 +5,7 @@
 use super::anchors::Anchors;
 use super::edges::Edges;
 use super::exact::{meets, unit_in_last_place};
+use super::rims::{Keep, Rims};
 use super::roundings::Roundings;
 use crate::error::message;
 use crate::memory::{AllocResult, Lists, TryGrow, filled};
@@ -46,16 +47,23 @@ pub(super) struct Chains<'a, const D: usize> {
     searches: u32,
     /// The vertices of the chain at hand.
     path: Vec<u32>,
-    /// Vertices that a search has yet to leave, each with the one that it came from.
-    waiting: Vec<[u32; 2]>,
+    /// Vertices that a search has yet to leave.
+    waiting: Vec<Waiting>,
     roundings: Roundings<D>,
     /// Vertex -> true if no way bends through it; vertices beyond are not such.
     is_firm: &'a [bool],
-    /// Subsegment -> the facet at the rim of whose own subfacets it was noted last, or [`NONE`];
-    /// those beyond were not noted.
-    rim_of: Vec<u32>,
-    /// Facet to the rim of whose own subfacets a search keeps, or [`NONE`].
-    keeps_to: u32,
+    rims: Rims,
+}
+
+/// Vertex that a search has yet to leave.
+#[derive(Clone, Copy)]
+struct Waiting {
+    vertex: u32,
+    /// Vertex that the search came from.
+    before: u32,
+    /// True if it came along the rim to which it keeps, without a bend, and along a subsegment of
+    /// no segment: what comes so is better, by these in turn.
+    is_good: [bool; 3],
 }
 
 /// A segment between two vertices, or with [`NONE`] a side of the extent, which has all
@@ -107,8 +115,7 @@ impl<'a, const D: usize> Chains<'a, D> {
     pub fn new(view: View<'a, D>, at: &'a Lists) -> AllocResult<Self> {
         let reached = filled(view.vertex_count(), (NONE, NONE))?;
         let (path, waiting) = Default::default();
-        let (roundings, is_firm, rim_of) = (Roundings::of_axes(), &[][..], Vec::new());
-        let (searches, keeps_to) = (0, NONE);
+        let (roundings, is_firm, searches) = (Roundings::of_axes(), &[][..], 0);
         Ok(Self {
             view,
             at,
@@ -118,8 +125,7 @@ impl<'a, const D: usize> Chains<'a, D> {
             waiting,
             roundings,
             is_firm,
-            rim_of,
-            keeps_to,
+            rims: Rims::default(),
         })
     }
 
@@ -129,20 +135,16 @@ impl<'a, const D: usize> Chains<'a, D> {
         (self.roundings, self.is_firm) = (roundings, is_firm);
     }
 
-    /// Notes subsegments at the rim of a facet's own subfacets.
-    pub fn note_rim(&mut self, facet: u32, subsegments: &[u32]) -> AllocResult<()> {
-        if self.rim_of.is_empty() {
-            self.rim_of = filled(self.view.mesh.boundary.subsegments.len(), NONE)?;
-        }
-        subsegments.iter().for_each(|&subsegment| self.rim_of[subsegment as usize] = facet);
-        Ok(())
+    /// Notes the rim of a facet's own subfacets, each subsegment with its direction.
+    pub fn note_rim(&mut self, facet: u32, rim: &[(u32, bool)]) -> AllocResult<()> {
+        self.rims.note(self.view.mesh.boundary.subsegments.len(), facet, rim)
     }
 
-    /// Fills `path` as [`Self::lead`] does, along the rim that was noted of a facet alone.
-    pub fn lead_along_rim(&mut self, way: Way, facet: u32) -> AllocResult<bool> {
-        self.keeps_to = facet;
+    /// Fills `path` as [`Self::lead`] does, keeping to the rim that was noted of a facet.
+    pub fn lead_along_rim(&mut self, way: Way, facet: u32, keep: Keep) -> AllocResult<bool> {
+        self.rims.keep(Some((facet, keep)));
         let is_found = self.lead(way);
-        self.keeps_to = NONE;
+        self.rims.keep(None);
         is_found
     }
 
@@ -256,10 +258,11 @@ impl<'a, const D: usize> Chains<'a, D> {
         nearness: Nearness,
     ) -> AllocResult<bool> {
         let bends = matches!(nearness, Nearness::Near | Nearness::Bent);
+        let (at, parents) = (self.at, &self.view.mesh.boundary.parents);
         self.searches += 1;
         self.waiting.clear();
-        self.waiting.try_push([from; 2])?;
-        while let Some([vertex, before]) = self.waiting.pop() {
+        self.waiting.try_push(Waiting { vertex: from, before: from, is_good: [true; 3] })?;
+        while let Some(Waiting { vertex, before, .. }) = self.waiting.pop() {
             if self.reached[vertex as usize].1 == self.searches {
                 continue;
             }
@@ -267,41 +270,35 @@ impl<'a, const D: usize> Chains<'a, D> {
             if vertex == to {
                 return self.append_way(from, to);
             }
-            // What comes last goes first: subsegments of no segment, which are the extent's own;
-            // before all others vertices that do not bend the way; and of both kinds the nearest,
-            // since a chain leaves out no vertex on it.
-            let (at, parents) = (self.at, &self.view.mesh.boundary.parents);
-            for &is_straight in if bends { &[false, true][..] } else { &[true] } {
-                for is_of_none in [false, true] {
-                    let first = self.waiting.len();
-                    let own = at.of(vertex as usize).iter();
-                    for &subsegment in
-                        own.filter(|&&own| (parents[own as usize] == NONE) == is_of_none)
-                    {
-                        let next = self.next_of_gap(way, subsegment, [vertex, to], nearness)?;
-                        let Some(next) = next else { continue };
-                        if !bends || self.is_near(way, next, Nearness::Rounded)? == is_straight {
-                            self.waiting.try_push([next, vertex])?;
-                        }
-                    }
-                    self.sort_from_last(way, vertex, first);
-                }
+            let first = self.waiting.len();
+            for &own in at.of(vertex as usize) {
+                let Some(next) = self.next_of_gap(way, own, [vertex, to], nearness)? else {
+                    continue;
+                };
+                let is_straight = !bends || self.is_near(way, next, Nearness::Rounded)?;
+                let is_of_none = parents[own as usize] == NONE;
+                let is_good = [self.rims.hold(own, vertex < next), is_straight, is_of_none];
+                self.waiting.try_push(Waiting { vertex: next, before: vertex, is_good })?;
             }
+            self.sort_from_last(way, vertex, first);
         }
         Ok(false)
     }
 
-    /// Sorts those that wait from the `first` on by their places along a way, the last ones first;
-    /// before them those that are level with a vertex.
+    /// Sorts those that wait from the `first` on: what comes last goes first. That is the best; of
+    /// several the nearest along the way, since a chain leaves out no vertex on it; and after all
+    /// others those that are level with the vertex.
     fn sort_from_last(&mut self, way: Way, vertex: u32, first: usize) {
         let (axis, view) = (self.axis_of(way), self.view);
         let [from, to] = way.ends.map(|end| view.point(end)[axis]);
         let place = |vertex: u32| view.point(vertex)[axis];
         let goes_on = |next: u32| place(next) != place(vertex);
-        self.waiting[first..].sort_unstable_by(|&[a, _], &[b, _]| {
+        self.waiting[first..].sort_unstable_by(|one, other| {
+            let (a, b) = (one.vertex, other.vertex);
             let ascending = place(a).total_cmp(&place(b));
             let from_last = if to < from { ascending } else { ascending.reverse() };
-            goes_on(a).cmp(&goes_on(b)).then(from_last).then(a.cmp(&b))
+            let by_place = goes_on(a).cmp(&goes_on(b)).then(from_last).then(a.cmp(&b));
+            one.is_good.cmp(&other.is_good).then(by_place)
         });
     }
 
@@ -317,8 +314,7 @@ impl<'a, const D: usize> Chains<'a, D> {
         let [a, b] = boundary.subsegments[subsegment as usize];
         let next = if a == vertex { b } else { a };
         let parent = boundary.parents[subsegment as usize];
-        let rim_of = self.rim_of.get(subsegment as usize);
-        let is_on = (self.keeps_to == NONE || rim_of == Some(&self.keeps_to))
+        let is_on = self.rims.allow(subsegment, vertex < next)
             && (parent < way.segment || way.segment == NONE)
             && self.advances(way, vertex, next)
             && (next == to || self.advances(way, next, to))

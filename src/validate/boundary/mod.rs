@@ -10,8 +10,9 @@
 //!   them closed curves enclose; `labels`, the numbers of those without a seed; `areas`, of the
 //!   regions; `forced`, the triangles that small angles between segments excuse.
 //!
-//! `anchors` are the ends of lines; `exact` and `sum` are the arithmetic. Which simplices are on
-//! the sides of a subsegment or subfacet is found here from the simplices alone (`walls`).
+//! `anchors` are the ends of lines; `rims` tell several chains apart; `exact` and `sum` are the
+//! arithmetic. Which simplices are on the sides of a subsegment or subfacet is found here from the
+//! simplices alone (`walls`).
 
 mod anchors;
 mod areas;
@@ -25,6 +26,7 @@ mod interior;
 mod labels;
 mod lines;
 mod regions;
+mod rims;
 mod roundings;
 mod space;
 mod sum;

@@ -9,6 +9,7 @@ use super::directions::{across, cosine, direction};
 use super::given::{Facet, Projection, point};
 use super::left_out::{is_left_out, kept_of, leave_out_narrow, leave_out_needles};
 use super::plane::{self, AreaVector};
+use super::tiling;
 use super::ways::Ways;
 use crate::error::message;
 use crate::memory::{AllocResult, Sets, TryGrow, collected, filled, with_capacity};
@@ -174,12 +175,15 @@ pub(super) fn sides(triangles: &[[u32; 3]], numbers: &[u32]) -> AllocResult<Vec<
 }
 
 /// Returns true if two triangles that run through an edge in opposite directions are one facet in
-/// the mesh, which has subsegments there: the chain that was found last.
+/// the mesh, which has subsegments there: the chain that was found last. A triangle with subfacets
+/// of its own is of no other facet.
 fn is_one_facet(triangles: &[[u32; 3]], pair: [Side; 2], ways: &Ways<'_>) -> bool {
+    let may_be_of =
+        |side: Side, facet: u32| side.1 == facet || tiling::range(ways.view, side.1).is_empty();
     let is_within = |ends: &[u32]| {
         let [one, other] =
             pair.map(|side| parent_beside(triangles, side, [ends[0], ends[1]], ways));
-        one == other && one != NONE
+        one == other && one != NONE && pair.iter().all(|&side| may_be_of(side, one))
     };
     pair[0].2 != pair[1].2 && ways.vertices_on_way().windows(2).any(is_within)
 }

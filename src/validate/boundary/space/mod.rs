@@ -147,8 +147,7 @@ fn steps(
     // Level 2 has said what is to say.
     let mut known = Findings::counting();
     each_facet(facets, &mut ways, &mut known, |facet, balance, ways, known| {
-        let (rim, _) = tiling::expected_rim(facet, ways, known)?;
-        for tile in tiles::tiles(facet, &rim, ways)? {
+        for tile in tiling::tiled(facet, ways, known)?.tiles {
             let step = tile.times * balance;
             steps[tile.subfacet as usize] += if tile.is_turned { -step } else { step };
         }

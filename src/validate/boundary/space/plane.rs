@@ -12,7 +12,8 @@
 //! the line between the inputs next to them, so that only those of a chain that bends are farther
 //! than one unit. If crossings are split a facet goes through vertices at these, which are off it
 //! by roundings, and all vertices on it may be as far. So may those of a facet that is bent by more
-//! than that itself: they are on its triangles, which go through inputs beside it.
+//! than that itself, or goes through an input that is farther beside it than one unit: they are on
+//! its triangles, which go through that input.
 
 use super::super::chains::BENT;
 use super::super::exact::unit_in_last_place;
@@ -236,7 +237,7 @@ fn is_bent(facet: &Facet, units: &[f64; 3], ways: &Ways<'_>) -> bool {
 /// Checks the distance of the vertices of a facet from its plane.
 pub(super) fn check(
     facet: &Facet,
-    vertices: impl Iterator<Item = u32>,
+    vertices: impl Iterator<Item = u32> + Clone,
     ways: &Ways<'_>,
     findings: &mut Findings,
 ) {
@@ -247,7 +248,10 @@ pub(super) fn check(
     slab.widen(normal, &units.map(|unit| ROUNDED * unit));
     let mut wide = Slab { low: slab.low.clone(), high: slab.high.clone() };
     wide.widen(normal, &units.map(|unit| (BENT - ROUNDED) * unit));
-    let goes_beside = ways.splits(facet.parent) || is_bent(facet, &units, ways);
+    let is_beside = |at: u32| ways.is_input(at) && !slab.holds(normal, ways.view.point(at));
+    let goes_beside = ways.splits(facet.parent)
+        || is_bent(facet, &units, ways)
+        || vertices.clone().any(is_beside);
     for vertex in vertices {
         let is_bent = goes_beside || ways.is_input(vertex) || ways.is_on_chain(vertex);
         let limit = if is_bent { &wide } else { &slab };

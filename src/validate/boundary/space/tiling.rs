@@ -29,6 +29,15 @@ pub(super) type Directed = ([u32; 2], bool);
 /// on its left, seen from there, than on its right.
 pub(super) type Edge = ([u32; 2], i64);
 
+/// Rim and tiles of a facet.
+pub(super) struct Tiled {
+    /// Subsegments along its edges, sorted.
+    rim: Vec<Edge>,
+    /// True if chains lead along all edges.
+    is_whole: bool,
+    pub tiles: Vec<Tile>,
+}
+
 /// Returns the words for a facet, or for the boundary of an extent.
 pub(super) fn name_of(facet: u32) -> Cow<'static, str> {
     match facet {
@@ -84,8 +93,7 @@ pub(super) fn check(
     ways: &mut Ways<'_>,
     findings: &mut Findings,
 ) -> AllocResult<()> {
-    let (expected, is_whole) = expected_rim(facet, ways, findings)?;
-    let tiles = tiles::tiles(facet, &expected, ways)?;
+    let Tiled { rim: expected, is_whole, tiles } = tiled(facet, ways, findings)?;
     let subfacets = &collected(tiles.iter().map(|tile| tile.vertices))?[..];
     check_orientations(facet, ways.view, subfacets, findings)?;
     let edges = sorted_edges(subfacets)?;
@@ -103,13 +111,52 @@ pub(super) fn check(
     Ok(())
 }
 
+/// Finds the rim and the tiles of a facet. Where it is read as split and there are several chains
+/// along an edge within roundings, those count of which the tiles end there.
+pub(super) fn tiled(
+    facet: &Facet,
+    ways: &mut Ways<'_>,
+    findings: &mut Findings,
+) -> AllocResult<Tiled> {
+    if ways.splits(facet.parent) {
+        for follows_rims in [false, true] {
+            ways.follow_rims(follows_rims);
+            let mut own = Findings::counting();
+            let tiled = Tiled::find(facet, ways, &mut own)?;
+            ways.follow_rims(false);
+            if own.clean() && tiled.fits()? {
+                findings.merge(own);
+                return Ok(tiled);
+            }
+            tiled.forget(ways);
+        }
+    }
+    Tiled::find(facet, ways, findings)
+}
+
 /// Returns true if chains lead along all edges of a facet, and its tiles end there.
 pub(super) fn is_tiled(facet: &Facet, ways: &mut Ways<'_>) -> AllocResult<bool> {
-    let (expected, is_whole) = expected_rim(facet, ways, &mut Findings::counting())?;
-    let tiles = tiles::tiles(facet, &expected, ways)?;
-    // They are found anew when they are checked.
-    tiles.iter().for_each(|tile| ways.tile_of[tile.subfacet as usize] = (NONE, 0));
-    Ok(is_whole && rim_of(&tiles)? == expected)
+    let tiled = tiled(facet, ways, &mut Findings::counting())?;
+    tiled.forget(ways);
+    tiled.fits()
+}
+
+impl Tiled {
+    fn find(facet: &Facet, ways: &mut Ways<'_>, findings: &mut Findings) -> AllocResult<Self> {
+        let (rim, is_whole) = expected_rim(facet, ways, findings)?;
+        let tiles = tiles::tiles(facet, &rim, ways)?;
+        Ok(Self { rim, is_whole, tiles })
+    }
+
+    /// Returns true if the tiles end at the rim.
+    fn fits(&self) -> AllocResult<bool> {
+        Ok(self.is_whole && rim_of(&self.tiles)? == self.rim)
+    }
+
+    /// Lets the tiles be found anew.
+    fn forget(&self, ways: &mut Ways<'_>) {
+        self.tiles.iter().for_each(|tile| ways.tile_of[tile.subfacet as usize] = (NONE, 0));
+    }
 }
 
 /// Returns the edges at which tiles end, sorted.
@@ -229,7 +276,7 @@ fn summed(mut edges: Vec<Edge>) -> AllocResult<Vec<Edge>> {
 }
 
 /// Returns the subsegments along the rim of a facet, sorted; and true if none are missing.
-pub(super) fn expected_rim(
+fn expected_rim(
     facet: &Facet,
     ways: &mut Ways<'_>,
     findings: &mut Findings,
@@ -239,7 +286,7 @@ pub(super) fn expected_rim(
         let own = &ways.view.mesh.boundary.subfacets[range(ways.view, facet.parent)];
         // Which edges are in several subfacets is asked of all tiles.
         let rim = rim(facet.parent, &sorted_edges(own)?, &mut Findings::counting())?;
-        ways.note_rim(facet.parent, &collected(rim.iter().map(|edge| edge.0))?)?;
+        ways.note_rim(facet.parent, &rim)?;
     }
     for &ends in &facet.rim {
         if !ways.check_edge(facet.parent, ends, findings)? {

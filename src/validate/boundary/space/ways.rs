@@ -3,11 +3,12 @@
 
 use super::super::chains::{Chains, Nearness, Way, describe, describe_distance};
 use super::super::exact::{meets, unit_in_last_place};
+use super::super::rims::Keep;
 use super::super::roundings::Roundings;
 use super::faces::Faces;
 use super::given;
 use super::reading::Reading;
-use super::tiling::name_of;
+use super::tiling::{Directed, name_of};
 use crate::error::message;
 use crate::memory::{AllocResult, TryGrow, collected, filled};
 use crate::mesh::{Inputs, NONE, Segments};
@@ -25,6 +26,7 @@ pub(super) struct Ways<'a> {
     /// Roundings of what was split.
     crossings: Roundings<3>,
     chains: Chains<'a, 3>,
+    follows_rims: bool,
     /// Vertices of the chain that was found last.
     path: Vec<u32>,
     /// Subsegment -> true if it is on a chain.
@@ -74,6 +76,7 @@ impl<'a> Ways<'a> {
             splits_any: reading.splits_any(),
             crossings,
             chains,
+            follows_rims: false,
             path,
             is_covered,
             owners,
@@ -159,22 +162,31 @@ impl<'a> Ways<'a> {
 
     /// Searches for a chain along an edge of a facet, as [`Self::find`] does. If the facet is read
     /// as split, its own subfacets say where it ends: of several chains that may be the edge's the
-    /// one at their rim is.
+    /// one at their rim is; or if [`Self::follow_rims`] says so the one that is longest there.
     fn find_of_facet(&mut self, facet: u32, ends: [u32; 2]) -> AllocResult<bool> {
         let splits = self.splits(facet);
         if splits && self.are_vertices(ends) {
             let way = self.read_crossings(ends);
-            if self.chains.lead_along_rim(way, facet)? {
-                self.keep_path()?;
-                return Ok(true);
+            let last = if self.follows_rims { &[Keep::AsFar][..] } else { &[] };
+            for &keep in [Keep::Directed, Keep::Along].iter().chain(last) {
+                if self.chains.lead_along_rim(way, facet, keep)? {
+                    return self.keep_path().map(|()| true);
+                }
             }
         }
         self.find(ends, splits)
     }
 
+    /// Lets chains along edges of facets keep to the rims of these as far as they lead.
+    pub fn follow_rims(&mut self, follows_rims: bool) {
+        self.follows_rims = follows_rims;
+    }
+
     /// Notes the rim of a facet's own subfacets for [`Self::check_edge`], if it is read as split.
-    pub fn note_rim(&mut self, facet: u32, rim: &[[u32; 2]]) -> AllocResult<()> {
-        let of = |ends: &[u32; 2]| self.faces.subsegment(self.view, *ends);
+    pub fn note_rim(&mut self, facet: u32, rim: &[Directed]) -> AllocResult<()> {
+        let of = |&(ends, is_upward): &Directed| {
+            self.faces.subsegment(self.view, ends).map(|own| (own, is_upward))
+        };
         let own = collected(rim.iter().filter_map(of))?;
         self.chains.note_rim(facet, &own)
     }

@@ -348,8 +348,18 @@ fn subfacets_tell_where_split_facets_end() {
         [0.0, -8192.0, -1_048_576.0],
         [1_048_576.0, 2.0, 0.0],
     ];
+    let a_bent_edge = [
+        [1.0, -4096.0, 6.0],
+        [-4096.0, 0.0, 2.0],
+        [-1.0, 0.0, 6.0],
+        [0.0, 0.0, 4096.0],
+        [12.0, 0.0, 0.0],
+        [0.0; 3],
+        [0.0, 0.0, 8.0],
+    ];
     for (steps, triangles) in [
         (&a_corner_within_roundings[..], &[[4, 1, 2], [3, 0, 1], [5, 2, 1]][..]),
+        (&a_bent_edge, &[[0, 4, 5], [5, 2, 1], [5, 1, 3], [5, 6, 0], [4, 0, 5]]),
         (&two_chains, &[[2, 1, 4], [6, 5, 2], [4, 2, 7], [4, 7, 5], [5, 6, 2]]),
         (&beside_another, &[[1, 0, 2], [0, 4, 1], [4, 3, 2], [0, 3, 4], [2, 4, 3]]),
     ] {
@@ -395,4 +405,65 @@ fn vertices_beside_a_corner_are_on_no_edge_there() {
     let error = mesh.run(&options, None).unwrap_err();
     assert_eq!(error.kind(), ErrorKind::Limit, "{error}");
     assert!(error.message().contains("doubles have no room for"), "{error}");
+}
+
+/// Holds that the same is so of facets that are led through inputs beside them, where none are
+/// split.
+#[test]
+fn subfacets_tell_where_bent_facets_end() {
+    let steps = [
+        [0.0, -WIDE, -3.0],
+        [0.0, -3.0, 0.0],
+        [1_048_576.0, 16.0, -6.0],
+        [0.0, 8.0, 2f64.powi(40)],
+        [0.0; 3],
+        [12.0, 0.0, 16.0],
+        [0.0, 2.0, 2.0],
+    ];
+    let points = points(2f64.powi(52), f64::EPSILON, &steps);
+    let options = Options { extent: Extent::Box, ..bounded(f64::INFINITY) };
+    assert_conforms(&points, &[[6, 5, 0], [0, 2, 5]], &[], &options);
+}
+
+/// Holds that a facet lends no area to another that ends at other vertices, though they are one in
+/// the projection of both: the two are apart.
+#[test]
+fn sheets_that_end_at_vertices_side_by_side_share_nothing() {
+    let steps = [[0.0, -2f64.powi(40), 0.0], [-1.0, 0.0, -4.0], [0.0, -12.0, -8192.0]];
+    let points = points(2f64.powi(52), f64::EPSILON, &[&steps[..], &[[0.0, 0.0, -4.0]]].concat());
+    let mut mesh = surface(&points, &[[2, 3, 0], [1, 0, 2]]);
+    mesh.run(&split(Extent::All, f64::INFINITY), None).unwrap();
+    assert_holds(&mesh);
+    let parents = &mesh.result().unwrap().boundary.subfacet_parents;
+    assert!([0, 1].iter().all(|facet| parents.contains(facet)));
+}
+
+/// Holds that an edge beside which rounding explains no gap is led through no input by crossings.
+#[test]
+fn short_edges_are_bent_through_no_inputs() {
+    let beside_an_edge = [
+        [-4096.0, -8192.0, 8.0],
+        [0.0, 0.0, 8.0],
+        [0.0; 3],
+        [0.0, -2.0, 4.0],
+        [12.0, -16.0, -8.0],
+        [8192.0, 0.0, 0.0],
+    ];
+    let needle = [
+        [0.0, 2.0, 0.0],
+        [0.0, -2f64.powi(50), -1_048_576.0],
+        [0.0, 0.0, WIDE],
+        [0.0, -1.0, -4.0],
+        [0.0, 0.0, 16.0],
+    ];
+    for (steps, triangles) in [
+        (&beside_an_edge[..], &[[3, 2, 5], [0, 3, 5], [0, 1, 4]][..]),
+        (&needle, &[[3, 4, 0], [2, 1, 0], [0, 3, 2], [2, 1, 3], [3, 4, 0]]),
+    ] {
+        let points = points(2f64.powi(52), f64::EPSILON, steps);
+        let mut mesh = surface(&points, triangles);
+        let error = mesh.run(&split(Extent::All, f64::INFINITY), None).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::InvalidArgument, "{error}");
+        assert!(error.message().contains("some still meet after they were split"), "{error}");
+    }
 }

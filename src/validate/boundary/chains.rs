@@ -142,8 +142,15 @@ impl<'a, const D: usize> Chains<'a, D> {
 
     /// Fills `path` as [`Self::lead`] does, keeping to the rim that was noted of a facet.
     pub fn lead_along_rim(&mut self, way: Way, facet: u32, keep: Keep) -> AllocResult<bool> {
+        let [from, to] = way.ends;
         self.rims.keep(Some((facet, keep)));
-        let is_found = self.lead(way);
+        self.path.clear();
+        self.path.try_push(from)?;
+        // A way that keeps to the rim as far as that leads may be bent where a straight one is.
+        let is_found = match keep {
+            Keep::AsFar => self.search_bent(way, from, to),
+            Keep::Directed | Keep::Along => self.cross_gap(way, from, to),
+        };
         self.rims.keep(None);
         is_found
     }
@@ -246,7 +253,11 @@ impl<'a, const D: usize> Chains<'a, D> {
     fn cross_gap(&mut self, way: Way, from: u32, to: u32) -> AllocResult<bool> {
         Ok(from == to
             || self.search_gap(way, from, to, Nearness::Rounded)?
-            || self.search_gap(way, from, to, Nearness::Near)?
+            || self.search_bent(way, from, to)?)
+    }
+
+    fn search_bent(&mut self, way: Way, from: u32, to: u32) -> AllocResult<bool> {
+        Ok(self.search_gap(way, from, to, Nearness::Near)?
             || self.search_gap(way, from, to, Nearness::Bent)?)
     }
 

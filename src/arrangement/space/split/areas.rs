@@ -100,6 +100,30 @@ impl Corners {
     }
 }
 
+/// Returns true if the triangles that each facet borrows end where those do that it borrows them
+/// of, the first of `pairs`. Two corners that are one in a projection may be two vertices. O(n log
+/// n).
+pub(super) fn are_lent_whole(pieces: &Pieces, pairs: &[[u32; 2]]) -> AllocResult<bool> {
+    let mut is_borrowed = filled(pieces.all.len(), false)?;
+    pairs.iter().for_each(|pair| is_borrowed[pair[1] as usize] = true);
+    // Facet, and one of the triangles that it borrows or borrows of.
+    let mut all = Vec::new();
+    for &[one, other] in pairs.iter().filter(|pair| !is_borrowed[pair[0] as usize]) {
+        if let Some(facet) = pieces.all[other as usize].facet() {
+            all.try_extend(&[(facet, one), (facet, other)])?;
+        }
+    }
+    all.sort_unstable();
+    all.dedup();
+    let edges = |&(facet, at): &(u32, u32)| {
+        let own = pieces.all[at as usize].triangle().unwrap_or_default();
+        [[0, 1], [1, 2], [2, 0]].map(|[k, l]| (facet, [own[k].min(own[l]), own[k].max(own[l])]))
+    };
+    let mut edges = collected(all.iter().flat_map(edges))?;
+    edges.sort_unstable();
+    Ok(edges.chunk_by(|a, b| a == b).all(|same| same.len() % 2 == 0))
+}
+
 /// Leaves the areas of pairs of triangles to the first of each, which has the balances of all that
 /// share it: the others are borrowed. O(n log n).
 pub(super) fn leave_to_first(

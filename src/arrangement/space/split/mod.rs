@@ -40,7 +40,7 @@ use crate::arrangement::poll::Poll;
 use crate::error::Result;
 use crate::memory::TryGrow;
 use crate::mesh::{Intersection, IntersectionKind};
-use areas::leave_to_first;
+use areas::{are_lent_whole, leave_to_first};
 use coplanar::Coplanar;
 use corners::Corners;
 use needles::needles;
@@ -87,7 +87,9 @@ pub(super) fn split(
         let needles = needles(points, task, &on)?;
         let is_whole = pieces.faults.iter().all(has_no_area) && needles.is_empty();
         if corners.all.is_empty() && corners.areas.are_tiled() && is_whole {
-            if !is_sound(points, task, &pieces, &owners, &on, meets_exactly, poll)? {
+            let is_sound = is_sound(points, task, &pieces, &owners, &on, meets_exactly, poll)?
+                && are_lent_whole(&pieces, &corners.areas.pairs)?;
+            if !is_sound {
                 return Ok(None);
             }
             leave_to_first(points, &mut pieces, &corners.areas.pairs)?;

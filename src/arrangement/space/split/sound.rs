@@ -26,9 +26,10 @@ const MOST_BENT: f64 = 15.0;
 const MISTAKEN: f64 = 17.0;
 
 /// Returns true if no edge and no facet goes through vertices farther from it than segments may
-/// be bent, and if the triangles of each facet end at its edges. Where nothing meets exactly all
-/// facets are to be wider than bends, too: otherwise they had better stay as they are. O(n log n)
-/// for facets of few corners.
+/// be bent, no edge beside which rounding explains no gap through inputs that are not on it, and if
+/// the triangles of each facet end at its edges. Where nothing meets exactly all facets are to be
+/// wider than bends, too: otherwise they had better stay as they are. O(n log n) for facets of few
+/// corners.
 pub(super) fn is_sound(
     points: &[[f64; 3]],
     task: &TaskInSpace<'_>,
@@ -40,9 +41,11 @@ pub(super) fn is_sound(
 ) -> Result<bool> {
     let roundings = &owners.roundings.of_bends();
     let is_straight = |(edge, vertex): ([u32; 2], u32)| {
+        let bends = (vertex as usize) >= task.inputs.distinct()
+            || owners.roundings.reach(points, edge).is_long();
         owners.edges().binary_search(&edge).is_err()
             || roundings.reach(points, edge).offset_from_segment(&points[vertex as usize])
-                <= MOST_BENT
+                <= if bends { MOST_BENT } else { 0.0 }
     };
     if !on.on_edges().all(is_straight) {
         return Ok(false);

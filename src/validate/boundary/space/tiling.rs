@@ -111,25 +111,24 @@ pub(super) fn check(
     Ok(())
 }
 
-/// Finds the rim and the tiles of a facet. Where it is read as split and there are several chains
-/// along an edge within roundings, those count of which the tiles end there.
+/// Finds the rim and the tiles of a facet. Where there are several chains along an edge within
+/// roundings, those count of which the tiles end there.
 pub(super) fn tiled(
     facet: &Facet,
     ways: &mut Ways<'_>,
     findings: &mut Findings,
 ) -> AllocResult<Tiled> {
-    if ways.splits(facet.parent) {
-        for follows_rims in [false, true] {
-            ways.follow_rims(follows_rims);
-            let mut own = Findings::counting();
-            let tiled = Tiled::find(facet, ways, &mut own)?;
-            ways.follow_rims(false);
-            if own.clean() && tiled.fits()? {
-                findings.merge(own);
-                return Ok(tiled);
-            }
-            tiled.forget(ways);
+    for follows_rims in [false, true] {
+        ways.follow_rims(follows_rims);
+        let mut own = Findings::counting();
+        let tiled = Tiled::find(facet, ways, &mut own);
+        ways.follow_rims(false);
+        let tiled = tiled?;
+        if own.clean() && tiled.fits()? {
+            findings.merge(own);
+            return Ok(tiled);
         }
+        tiled.forget(ways);
     }
     Tiled::find(facet, ways, findings)
 }
@@ -282,7 +281,7 @@ fn expected_rim(
     findings: &mut Findings,
 ) -> AllocResult<(Vec<Edge>, bool)> {
     let (mut pieces, mut is_whole) = (Vec::new(), true);
-    if ways.splits(facet.parent) {
+    if ways.splits(facet.parent) || ways.follows_rims() {
         let own = &ways.view.mesh.boundary.subfacets[range(ways.view, facet.parent)];
         // Which edges are in several subfacets is asked of all tiles.
         let rim = rim(facet.parent, &sorted_edges(own)?, &mut Findings::counting())?;

@@ -162,13 +162,20 @@ impl<'a> Ways<'a> {
 
     /// Searches for a chain along an edge of a facet, as [`Self::find`] does. If the facet is read
     /// as split, its own subfacets say where it ends: of several chains that may be the edge's the
-    /// one at their rim is; or if [`Self::follow_rims`] says so the one that is longest there.
+    /// one at their rim is. If [`Self::follow_rims`] says so the one that is longest there is, and
+    /// of what is read as given, too.
     fn find_of_facet(&mut self, facet: u32, ends: [u32; 2]) -> AllocResult<bool> {
         let splits = self.splits(facet);
-        if splits && self.are_vertices(ends) {
-            let way = self.read_crossings(ends);
-            let last = if self.follows_rims { &[Keep::AsFar][..] } else { &[] };
-            for &keep in [Keep::Directed, Keep::Along].iter().chain(last) {
+        let own = [Keep::Directed, Keep::Along, Keep::AsFar];
+        let keeps = match (splits, self.follows_rims) {
+            (_, true) => &own[..],
+            (true, false) => &own[..2],
+            (false, false) => &[],
+        };
+        if !keeps.is_empty() && self.are_vertices(ends) {
+            let way = self.read_edge(ends, splits);
+            let is_straight = !splits && self.chains.is_short(way);
+            for &keep in keeps.iter().filter(|_| !is_straight) {
                 if self.chains.lead_along_rim(way, facet, keep)? {
                     return self.keep_path().map(|()| true);
                 }
@@ -182,7 +189,7 @@ impl<'a> Ways<'a> {
         self.follows_rims = follows_rims;
     }
 
-    /// Notes the rim of a facet's own subfacets for [`Self::check_edge`], if it is read as split.
+    /// Notes the rim of a facet's own subfacets for [`Self::check_edge`].
     pub fn note_rim(&mut self, facet: u32, rim: &[Directed]) -> AllocResult<()> {
         let of = |&(ends, is_upward): &Directed| {
             self.faces.subsegment(self.view, ends).map(|own| (own, is_upward))
@@ -191,16 +198,21 @@ impl<'a> Ways<'a> {
         self.chains.note_rim(facet, &own)
     }
 
+    pub fn follows_rims(&self) -> bool {
+        self.follows_rims
+    }
+
     /// Returns true if two ends are different vertices.
     fn are_vertices(&self, ends: [u32; 2]) -> bool {
         ends[0] != ends[1] && ends.iter().all(|&end| (end as usize) < self.view.vertex_count())
     }
 
-    /// Follows a chain of what is read as split. Only vertices at crossings bend short edges.
-    fn read_crossings(&mut self, ends: [u32; 2]) -> Way {
+    /// Follows a chain of what is read as split, or as given. Only vertices at crossings bend short
+    /// edges.
+    fn read_edge(&mut self, ends: [u32; 2], splits: bool) -> Way {
         let way = Way { segment: NONE, ends };
-        self.read(true);
-        if self.chains.is_short(way) {
+        self.read(splits);
+        if splits && self.chains.is_short(way) {
             let inputs = self.inputs.distinct().min(self.reading.is_firm.len());
             self.chains.read(self.crossings, &self.reading.is_firm[..inputs]);
         }
@@ -230,7 +242,7 @@ impl<'a> Ways<'a> {
         let is_found = match (self.chains.is_short(way), splits) {
             (true, false) => self.chains.lead_straight(way, self.inputs.distinct())?,
             (true, true) => {
-                let way = self.read_crossings(ends);
+                let way = self.read_edge(ends, true);
                 self.chains.lead(way)?
             }
             (false, _) => self.chains.lead(way)?,

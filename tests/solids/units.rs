@@ -357,8 +357,18 @@ fn subfacets_tell_where_split_facets_end() {
         [0.0; 3],
         [0.0, 0.0, 8.0],
     ];
+    let a_rim_beside_an_edge = [
+        [0.0; 3],
+        [-8.0, 0.0, 0.0],
+        [0.0, 0.0, -16.0],
+        [-4.0, 0.0, -high],
+        [0.0, -3.0, -8.0],
+        [-low, 0.0, 0.0],
+        [12.0, 0.0, 0.0],
+    ];
     for (steps, triangles) in [
         (&a_corner_within_roundings[..], &[[4, 1, 2], [3, 0, 1], [5, 2, 1]][..]),
+        (&a_rim_beside_an_edge, &[[1, 4, 5], [3, 0, 5], [5, 6, 1]]),
         (&a_bent_edge, &[[0, 4, 5], [5, 2, 1], [5, 1, 3], [5, 6, 0], [4, 0, 5]]),
         (&two_chains, &[[2, 1, 4], [6, 5, 2], [4, 2, 7], [4, 7, 5], [5, 6, 2]]),
         (&beside_another, &[[1, 0, 2], [0, 4, 1], [4, 3, 2], [0, 3, 4], [2, 4, 3]]),
@@ -411,7 +421,7 @@ fn vertices_beside_a_corner_are_on_no_edge_there() {
 /// split.
 #[test]
 fn subfacets_tell_where_bent_facets_end() {
-    let steps = [
+    let past_two = [
         [0.0, -WIDE, -3.0],
         [0.0, -3.0, 0.0],
         [1_048_576.0, 16.0, -6.0],
@@ -420,9 +430,24 @@ fn subfacets_tell_where_bent_facets_end() {
         [12.0, 0.0, 16.0],
         [0.0, 2.0, 2.0],
     ];
-    let points = points(2f64.powi(52), f64::EPSILON, &steps);
-    let options = Options { extent: Extent::Box, ..bounded(f64::INFINITY) };
-    assert_conforms(&points, &[[6, 5, 0], [0, 2, 5]], &[], &options);
+    let beside_a_corner = [
+        [12.0, 8.0, 0.0],
+        [1_048_576.0, 0.0, -8.0],
+        [0.0; 3],
+        [4.0, 0.0, -3.0],
+        [0.0, 2f64.powi(50), 0.0],
+        [0.0, -4096.0, 0.0],
+        [8.0, -16.0, 0.0],
+        [0.0, 0.0, 3.0],
+    ];
+    for (steps, triangles, extent) in [
+        (&past_two[..], &[[6, 5, 0], [0, 2, 5]], Extent::Box),
+        (&beside_a_corner, &[[2, 3, 1], [3, 5, 2]], Extent::All),
+    ] {
+        let points = points(2f64.powi(52), f64::EPSILON, steps);
+        let options = Options { extent, ..bounded(f64::INFINITY) };
+        assert_conforms(&points, triangles, &[], &options);
+    }
 }
 
 /// Holds that a facet lends no area to another that ends at other vertices, though they are one in

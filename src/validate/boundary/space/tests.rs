@@ -73,7 +73,7 @@ fn areas_are_those_of_facets() {
     let ways = Ways::new(&inputs, view, &faces, &reading).unwrap();
     let check = |subfacets: &[[u32; 3]]| {
         let mut findings = Findings::default();
-        tiling::check_area(&facet, &ways, subfacets, &mut findings);
+        tiling::check_area(&facet, &ways, subfacets, false, &mut findings);
         findings.first.map(|first| first.kind)
     };
     let subfacets = &result.boundary.subfacets[..];

@@ -6,6 +6,7 @@
 //! areas is that of the polygon, but for roundings of vertices on its edges.
 
 use super::super::chains::BENT;
+use super::super::rims::Keep;
 use super::super::sum::Sum;
 use super::faces::Faces;
 use super::given::{Facet, Projection};
@@ -36,6 +37,8 @@ pub(super) struct Tiled {
     /// True if chains lead along all edges.
     is_whole: bool,
     pub tiles: Vec<Tile>,
+    /// True if chains may go round an edge that others have.
+    goes_round: bool,
 }
 
 /// Returns the words for a facet, or for the boundary of an extent.
@@ -93,7 +96,7 @@ pub(super) fn check(
     ways: &mut Ways<'_>,
     findings: &mut Findings,
 ) -> AllocResult<()> {
-    let Tiled { rim: expected, is_whole, tiles } = tiled(facet, ways, findings)?;
+    let Tiled { rim: expected, is_whole, tiles, goes_round } = tiled(facet, ways, findings)?;
     let subfacets = &collected(tiles.iter().map(|tile| tile.vertices))?[..];
     check_orientations(facet, ways.view, subfacets, findings)?;
     let edges = sorted_edges(subfacets)?;
@@ -103,7 +106,7 @@ pub(super) fn check(
     }
     check_within(facet, ways, &edges, subfacets, findings)?;
     let all = tiles.iter().flat_map(|tile| (0..tile.times).map(|_| tile.vertices));
-    check_area(facet, ways, &collected(all)?, findings);
+    check_area(facet, ways, &collected(all)?, goes_round, findings);
     let mut vertices = collected(subfacets.as_flattened().iter().copied())?;
     vertices.sort_unstable();
     vertices.dedup();
@@ -112,25 +115,27 @@ pub(super) fn check(
 }
 
 /// Finds the rim and the tiles of a facet. Where there are several chains along an edge within
-/// roundings, those count of which the tiles end there.
+/// roundings, those count of which the tiles end there: the facet's own subfacets tell, if it is
+/// split or bent.
 pub(super) fn tiled(
     facet: &Facet,
     ways: &mut Ways<'_>,
     findings: &mut Findings,
 ) -> AllocResult<Tiled> {
-    for follows_rims in [false, true] {
-        ways.follow_rims(follows_rims);
+    const SPLIT: &[&[Keep]] =
+        &[&[Keep::Directed, Keep::Along], &[Keep::Directed, Keep::AsFar], &[]];
+    const GIVEN: &[&[Keep]] = &[&[], &[Keep::Directed, Keep::AsFar]];
+    let all = if ways.splits(facet.parent) { SPLIT } else { GIVEN };
+    for keeps in all {
         let mut own = Findings::counting();
-        let tiled = Tiled::find(facet, ways, &mut own);
-        ways.follow_rims(false);
-        let tiled = tiled?;
+        let tiled = Tiled::find(facet, keeps, ways, &mut own)?;
         if own.clean() && tiled.fits()? {
             findings.merge(own);
             return Ok(tiled);
         }
         tiled.forget(ways);
     }
-    Tiled::find(facet, ways, findings)
+    Tiled::find(facet, all[0], ways, findings)
 }
 
 /// Returns true if chains lead along all edges of a facet, and its tiles end there.
@@ -141,10 +146,24 @@ pub(super) fn is_tiled(facet: &Facet, ways: &mut Ways<'_>) -> AllocResult<bool> 
 }
 
 impl Tiled {
-    fn find(facet: &Facet, ways: &mut Ways<'_>, findings: &mut Findings) -> AllocResult<Self> {
-        let (rim, is_whole) = expected_rim(facet, ways, findings)?;
+    fn find(
+        facet: &Facet,
+        keeps: &'static [Keep],
+        ways: &mut Ways<'_>,
+        findings: &mut Findings,
+    ) -> AllocResult<Self> {
+        if !keeps.is_empty() {
+            let own = &ways.view.mesh.boundary.subfacets[range(ways.view, facet.parent)];
+            // Which edges are in several subfacets is asked of all tiles.
+            let rim = rim(facet.parent, &sorted_edges(own)?, &mut Findings::counting())?;
+            ways.note_rim(facet.parent, &rim)?;
+        }
+        ways.keep(keeps);
+        let found = expected_rim(facet, ways, findings);
+        ways.keep(&[]);
+        let (rim, is_whole) = found?;
         let tiles = tiles::tiles(facet, &rim, ways)?;
-        Ok(Self { rim, is_whole, tiles })
+        Ok(Self { rim, is_whole, tiles, goes_round: keeps.contains(&Keep::AsFar) })
     }
 
     /// Returns true if the tiles end at the rim.
@@ -281,12 +300,6 @@ fn expected_rim(
     findings: &mut Findings,
 ) -> AllocResult<(Vec<Edge>, bool)> {
     let (mut pieces, mut is_whole) = (Vec::new(), true);
-    if ways.splits(facet.parent) || ways.follows_rims() {
-        let own = &ways.view.mesh.boundary.subfacets[range(ways.view, facet.parent)];
-        // Which edges are in several subfacets is asked of all tiles.
-        let rim = rim(facet.parent, &sorted_edges(own)?, &mut Findings::counting())?;
-        ways.note_rim(facet.parent, &rim)?;
-    }
     for &ends in &facet.rim {
         if !ways.check_edge(facet.parent, ends, findings)? {
             is_whole = false;
@@ -355,11 +368,13 @@ fn check_within(
 }
 
 /// Checks that the areas of the subfacets in the projection add up to the facet's, up to what
-/// vertices on its edges are off them.
+/// vertices on its edges are off them. What is split may go round an edge that others have, and
+/// what is bent if `goes_round` is set.
 pub(super) fn check_area(
     facet: &Facet,
     ways: &Ways<'_>,
     subfacets: &[[u32; 3]],
+    goes_round: bool,
     findings: &mut Findings,
 ) {
     let (mut difference, mut bound) = (Sum::zero(), Sum::zero());
@@ -372,9 +387,8 @@ pub(super) fn check_area(
     for &ends in &facet.rim {
         let [from, to] = ends.map(|end| facet.projection.of(ways.input(end)));
         difference.add_facet([&to, &from]);
-        // What is split may go round an edge that others have.
         let splits = ways.splits(facet.parent);
-        if splits || ways.faces.subsegment(ways.view, ends).is_none() {
+        if splits || goes_round || ways.faces.subsegment(ways.view, ends).is_none() {
             let roundings = ways.roundings(splits);
             let units = roundings.units_of(ends.map(|end| ways.input(end)));
             add_deviation(&from, &to, facet.projection.of(&units), &mut bound);

@@ -26,7 +26,7 @@ pub(super) struct Ways<'a> {
     /// Roundings of what was split.
     crossings: Roundings<3>,
     chains: Chains<'a, 3>,
-    follows_rims: bool,
+    keeps: &'static [Keep],
     /// Vertices of the chain that was found last.
     path: Vec<u32>,
     /// Subsegment -> true if it is on a chain.
@@ -76,7 +76,7 @@ impl<'a> Ways<'a> {
             splits_any: reading.splits_any(),
             crossings,
             chains,
-            follows_rims: false,
+            keeps: &[],
             path,
             is_covered,
             owners,
@@ -160,22 +160,14 @@ impl<'a> Ways<'a> {
         self.lead(ends, splits)
     }
 
-    /// Searches for a chain along an edge of a facet, as [`Self::find`] does. If the facet is read
-    /// as split, its own subfacets say where it ends: of several chains that may be the edge's the
-    /// one at their rim is. If [`Self::follow_rims`] says so the one that is longest there is, and
-    /// of what is read as given, too.
+    /// Searches for a chain along an edge of a facet: as [`Self::keep`] says along the rim of the
+    /// facet's own subfacets, and otherwise as [`Self::find`] does.
     fn find_of_facet(&mut self, facet: u32, ends: [u32; 2]) -> AllocResult<bool> {
         let splits = self.splits(facet);
-        let own = [Keep::Directed, Keep::Along, Keep::AsFar];
-        let keeps = match (splits, self.follows_rims) {
-            (_, true) => &own[..],
-            (true, false) => &own[..2],
-            (false, false) => &[],
-        };
-        if !keeps.is_empty() && self.are_vertices(ends) {
+        if !self.keeps.is_empty() && self.are_vertices(ends) {
             let way = self.read_edge(ends, splits);
             let is_straight = !splits && self.chains.is_short(way);
-            for &keep in keeps.iter().filter(|_| !is_straight) {
+            for &keep in self.keeps.iter().filter(|_| !is_straight) {
                 if self.chains.lead_along_rim(way, facet, keep)? {
                     return self.keep_path().map(|()| true);
                 }
@@ -184,9 +176,10 @@ impl<'a> Ways<'a> {
         self.find(ends, splits)
     }
 
-    /// Lets chains along edges of facets keep to the rims of these as far as they lead.
-    pub fn follow_rims(&mut self, follows_rims: bool) {
-        self.follows_rims = follows_rims;
+    /// Lets chains along edges of facets keep to the rims of these from now on, in the first of
+    /// some ways in which there is one.
+    pub fn keep(&mut self, keeps: &'static [Keep]) {
+        self.keeps = keeps;
     }
 
     /// Notes the rim of a facet's own subfacets for [`Self::check_edge`].
@@ -196,10 +189,6 @@ impl<'a> Ways<'a> {
         };
         let own = collected(rim.iter().filter_map(of))?;
         self.chains.note_rim(facet, &own)
-    }
-
-    pub fn follows_rims(&self) -> bool {
-        self.follows_rims
     }
 
     /// Returns true if two ends are different vertices.

@@ -2,6 +2,7 @@
 //! an edge may be bent and have no subfacets: an edge of theirs goes along the two others, or only
 //! they have it and it is not there.
 
+use super::super::chains::Nearness;
 use super::given::Facet;
 use super::groups::sides;
 use super::tiling;
@@ -56,7 +57,8 @@ pub(super) fn leave_out_narrow(
     let mut is_narrow = filled(triangles.len(), false)?;
     for &triangle in kept {
         let own = triangles[triangle as usize];
-        is_narrow[triangle as usize] = ways.splits(triangle) && ways.is_needle(own)?;
+        is_narrow[triangle as usize] =
+            ways.splits(triangle) && ways.is_needle(own, Nearness::Bent)?;
     }
     if !is_narrow.contains(&true) {
         return Ok(false);
@@ -140,7 +142,8 @@ fn leave_out_between(
 
 /// Returns true if a facet has nothing to keep since crossings are split: it has no subfacets, all
 /// its triangles are no wider than an edge may be bent, and along one of its edges leads no chain,
-/// as nobody else has that; or the subfacets of others do not tile it.
+/// as nobody else has that; or they are no wider than an edge is bent that goes through inputs near
+/// it alone, and the subfacets of others do not tile it.
 pub(super) fn is_left_out(
     facet: &Facet,
     triangles: &[[u32; 3]],
@@ -150,16 +153,18 @@ pub(super) fn is_left_out(
     if !tiling::range(ways.view, facet.parent).is_empty() {
         return Ok(false);
     }
+    let mut is_near = true;
     for &(_, triangle) in group {
         let own = triangles[triangle as usize];
-        if !ways.splits(triangle) || !ways.is_needle(own)? {
+        if !ways.splits(triangle) || !ways.is_needle(own, Nearness::Bent)? {
             return Ok(false);
         }
+        is_near = is_near && ways.is_needle(own, Nearness::Near)?;
     }
     for &edge in &facet.rim {
         if !ways.find(edge, true)? {
             return Ok(true);
         }
     }
-    Ok(!tiling::is_tiled(facet, ways)?)
+    Ok(is_near && !tiling::is_tiled(facet, ways)?)
 }

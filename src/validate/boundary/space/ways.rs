@@ -243,12 +243,12 @@ impl<'a> Ways<'a> {
     }
 
     /// Returns true if a corner of a triangle of inputs is so near to the edge opposite that this
-    /// may be bent through it.
-    pub fn is_needle(&mut self, [a, b, c]: [u32; 3]) -> AllocResult<bool> {
+    /// may be bent through it, by so much.
+    pub fn is_needle(&mut self, [a, b, c]: [u32; 3], nearness: Nearness) -> AllocResult<bool> {
         self.read(true);
         for (ends, corner) in [([a, b], c), ([b, c], a), ([c, a], b)] {
             let way = Way { segment: NONE, ends };
-            if !self.chains.is_short(way) && self.chains.is_near(way, corner, Nearness::Bent)? {
+            if !self.chains.is_short(way) && self.chains.is_near(way, corner, nearness)? {
                 return Ok(true);
             }
         }

@@ -259,7 +259,7 @@ impl Shell {
             let facet = Facet { parent, rim, within, beside, points, corners, projection, normal };
             plane::check_side(&facet, ways, findings);
             tiling::check_orientations(&facet, view, &triangles, findings)?;
-            plane::check(&facet, vertices.into_iter(), ways, findings);
+            plane::check(&facet, &vertices, ways, findings);
         }
         Ok(())
     }

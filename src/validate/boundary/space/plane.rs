@@ -235,12 +235,7 @@ fn is_bent(facet: &Facet, units: &[f64; 3], ways: &Ways<'_>) -> bool {
 }
 
 /// Checks the distance of the vertices of a facet from its plane.
-pub(super) fn check(
-    facet: &Facet,
-    vertices: impl Iterator<Item = u32> + Clone,
-    ways: &Ways<'_>,
-    findings: &mut Findings,
-) {
+pub(super) fn check(facet: &Facet, vertices: &[u32], ways: &Ways<'_>, findings: &mut Findings) {
     let points = facet.corners.iter().map(|&corner| ways.input(corner));
     let units = ways.roundings(ways.splits(facet.parent)).units_of(points.clone());
     let normal = &facet.normal;
@@ -251,8 +246,8 @@ pub(super) fn check(
     let is_beside = |at: u32| ways.is_input(at) && !slab.holds(normal, ways.view.point(at));
     let goes_beside = ways.splits(facet.parent)
         || is_bent(facet, &units, ways)
-        || vertices.clone().any(is_beside);
-    for vertex in vertices {
+        || vertices.iter().any(|&at| is_beside(at));
+    for &vertex in vertices {
         let is_bent = goes_beside || ways.is_input(vertex) || ways.is_on_chain(vertex);
         let limit = if is_bent { &wide } else { &slab };
         findings.check(limit.holds(normal, ways.view.point(vertex)), || {

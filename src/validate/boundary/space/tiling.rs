@@ -110,7 +110,7 @@ pub(super) fn check(
     let mut vertices = collected(subfacets.as_flattened().iter().copied())?;
     vertices.sort_unstable();
     vertices.dedup();
-    plane::check(facet, vertices.into_iter(), ways, findings);
+    plane::check(facet, &vertices, ways, findings);
     Ok(())
 }
 

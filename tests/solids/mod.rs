@@ -11,6 +11,7 @@ mod extents;
 mod files;
 mod folds;
 mod holes;
+mod hulls;
 mod labels;
 mod options;
 mod roundings;

@@ -12,10 +12,17 @@ use crate::netmesh::state::facets::bent::Bent;
 use crate::netmesh::state::facets::plane::Plane;
 use crate::netmesh::state::facets::{Facet, Facets};
 use crate::netmesh::state::segments::chain::{Chains, Line};
+use crate::options::Extent;
 
 /// Number of units in the last place of a facet's largest coordinate by which its vertices may be
 /// beyond the box of its corners.
 const MARGIN: f64 = 128.0;
+
+/// Number of times that the outer cage is farther away where the result ends at facets. A ball
+/// through a triangle of the hull reaches out the farther the nearer the next vertex behind it is,
+/// and must not hold the cage: so far out a cage costs no vertices unless that is nearer than a
+/// millionth of the triangle's size.
+const FAR: f64 = 1048576.0;
 
 impl Mesher<'_, '_, 3> {
     /// Inserts the inputs, makes all segments chains of edges and all facets sheets of faces, and
@@ -25,7 +32,11 @@ impl Mesher<'_, '_, 3> {
         arrangement: &Arrangement,
         cavity: &mut Cavity,
     ) -> Result<()> {
-        self.begin_to_conform(arrangement, &arrangement.corners, cavity)?;
+        let distance = match self.state.parameters.extent {
+            Extent::All => 1.0,
+            _ => FAR,
+        };
+        self.begin_to_conform(arrangement, &arrangement.corners, distance, cavity)?;
         let mut vertices = self.vertices_of_inputs()?;
         self.add_points(&arrangement.corners, &mut vertices, cavity)?;
         let mut lines = with_capacity(arrangement.subsegments.len())?;

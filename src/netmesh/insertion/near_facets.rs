@@ -16,7 +16,7 @@ impl State<3> {
     pub(in crate::netmesh) fn find_boundary_in(&mut self, cavity: &Cavity) -> AllocResult<()> {
         let Self { delaunay, segments, facets, .. } = self;
         let mut near = std::mem::take(&mut facets.near);
-        near.clear();
+        near.begin(segments.chains.len())?;
         let complex = delaunay.complex();
         for (at, &simplex) in cavity.simplices.iter().enumerate() {
             let vertices = complex.vertices(simplex);
@@ -26,20 +26,22 @@ impl State<3> {
             if on.iter().filter(|&&on| on).count() < 2 {
                 continue;
             }
-            for [i, j] in EDGES {
-                if on[i] && on[j] {
-                    if let Some(subsegment) = segments.chains.edge_between(vertices[i], vertices[j])
-                    {
-                        near.subsegments.try_push((subsegment, true))?;
-                    }
-                }
-            }
             let first = cavity.starts[at] as usize;
             let last =
                 cavity.starts.get(at + 1).map_or(cavity.boundary.len(), |&next| next as usize);
-            let outer = &cavity.boundary[first..last];
+            let mut is_outer = [false; 4];
+            for facet in &cavity.boundary[first..last] {
+                is_outer[facet.index as usize] = true;
+            }
+            for (at, edge) in segments.chains.edges_of(vertices).into_iter().enumerate() {
+                if let Some(subsegment) = edge {
+                    // The faces at an edge are opposite the other two vertices.
+                    let is_crossed = EDGES[5 - at].iter().all(|&opposite| !is_outer[opposite]);
+                    near.note_subsegment(subsegment, is_crossed)?;
+                }
+            }
             for (index, face) in FACES.iter().enumerate() {
-                let is_crossed = !outer.iter().any(|facet| facet.index as usize == index);
+                let is_crossed = !is_outer[index];
                 // A face inside of a whole cavity comes with the simplex on either side.
                 let comes_again = || cavity.is_whole && complex.neighbors(simplex)[index] < simplex;
                 if !face.iter().all(|&i| on[i]) || is_crossed && comes_again() {
@@ -47,22 +49,6 @@ impl State<3> {
                 }
                 if let Some(subfacet) = facets.face(&face.map(|i| vertices[i])) {
                     near.subfacets.try_push((subfacet, is_crossed))?;
-                }
-            }
-        }
-        for all in [&mut near.subsegments, &mut near.subfacets] {
-            all.sort_unstable();
-            all.dedup();
-        }
-        let is_any = !near.subsegments.is_empty();
-        for facet in cavity.boundary.iter().filter(|_| is_any) {
-            let vertices = complex.vertices(facet.simplex);
-            let face = FACES[facet.index as usize].map(|at| vertices[at]);
-            for at in 0..3 {
-                let edge = segments.chains.edge_between(face[at], face[(at + 1) % 3]);
-                let found = edge.map(|edge| near.subsegments.binary_search(&(edge, true)));
-                if let Some(Ok(found)) = found {
-                    near.subsegments[found].1 = false;
                 }
             }
         }
@@ -74,14 +60,13 @@ impl State<3> {
     /// where it crosses nothing and nothing waits.
     pub(super) fn note_insertion_near_facets(&mut self, cavity: &Cavity) -> AllocResult<()> {
         self.find_boundary_in(cavity)?;
-        let near = std::mem::take(&mut self.facets.near);
-        let mut is_any = false;
-        for &(subsegment, _) in near.subsegments.iter().filter(|&&(_, is_crossed)| is_crossed) {
-            is_any = true;
+        let mut near = std::mem::take(&mut self.facets.near);
+        near.retain(|&(_, is_crossed)| is_crossed, |&(_, is_crossed)| is_crossed);
+        let is_any = !near.is_empty();
+        for &(subsegment, _) in &near.subsegments {
             self.segments.chains.wait_although_limited(subsegment)?;
         }
-        for &(subfacet, _) in near.subfacets.iter().filter(|&&(_, is_crossed)| is_crossed) {
-            is_any = true;
+        for &(subfacet, _) in &near.subfacets {
             self.queue_subfacet(subfacet)?;
         }
         self.facets.near = near;
@@ -100,13 +85,14 @@ impl State<3> {
     ) -> AllocResult<bool> {
         self.find_boundary_in(cavity)?;
         let mut near = std::mem::take(&mut self.facets.near);
-        near.subsegments.retain(|&(subsegment, is_crossed)| {
-            let [a, b] = self.segments.chains.get(subsegment).ends;
-            let [a, b] = [a, b].map(|end: VertexId| self.delaunay.point(end));
-            is_crossed && cavity.is_whole || in_diametral_ball(a, b, x).is_positive()
-        });
-        near.subfacets
-            .retain(|&(subfacet, is_crossed)| is_crossed || self.is_in_circle(subfacet, x));
+        near.retain(
+            |&(subsegment, is_crossed)| {
+                let [a, b] = self.segments.chains.get(subsegment).ends;
+                let [a, b] = [a, b].map(|end: VertexId| self.delaunay.point(end));
+                is_crossed && cavity.is_whole || in_diametral_ball(a, b, x).is_positive()
+            },
+            |&(subfacet, is_crossed)| is_crossed || self.is_in_circle(subfacet, x),
+        );
         let is_any = !near.is_empty();
         self.facets.near = near;
         Ok(is_any)
@@ -115,7 +101,7 @@ impl State<3> {
     /// Sorts what a point encroaches by how deep it is in the ball, relative to the ball's radius.
     pub(in crate::netmesh) fn sort_near_by_depth(&mut self, x: &[f64; 3]) -> AllocResult<()> {
         let mut near = std::mem::take(&mut self.facets.near);
-        let NearBoundary { subsegments, subfacets, depths } = &mut near;
+        let NearBoundary { subsegments, subfacets, depths, .. } = &mut near;
         sort_by_key(subsegments, depths, |subsegment| {
             let [a, b] = self.segments.chains.get(subsegment).ends;
             let [a, b] = [a, b].map(|end: VertexId| self.delaunay.point(end));

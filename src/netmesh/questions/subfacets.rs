@@ -133,14 +133,17 @@ impl State<3> {
     }
 
     /// Returns the place of `x`, which is in the plane of a subfacet's facet, by a straight way
-    /// from there through the sheet.
+    /// from there through the sheet. Where subfacets are flat but for roundings the way may lead in
+    /// a circle: then it ends there.
     pub(in crate::netmesh) fn walk_in_sheet(&self, from: u32, x: &[f64; 3]) -> OnSheet {
         let plane = *self.facets.plane_of(from);
         let [a, b, c] = self.points_of(self.facets.get(from).vertices);
         let start = plane.at(&std::array::from_fn(|k| (a[k] + b[k] + c[k]) / 3.0));
         let mut subfacet = from;
         let mut entry = None;
-        for _ in 0..self.facets.len() {
+        // A circle comes back to where the way was after some power of two of steps (Brent).
+        let (mut seen, mut next_look) = (from, 1usize);
+        for step in 1.. {
             let own = *self.facets.get(subfacet);
             let Some(edge) = self.exit(&own, entry, &plane, [&start, x]) else {
                 return self.place_in(subfacet, &plane, x);
@@ -151,6 +154,12 @@ impl State<3> {
             let [a, b] = own.ends(edge);
             subfacet = own.neighbors[edge];
             entry = self.facets.get(subfacet).edge_between(a, b);
+            if subfacet == seen {
+                break;
+            }
+            if step == next_look {
+                (seen, next_look) = (subfacet, 2 * next_look);
+            }
         }
         self.place_in(subfacet, &plane, x)
     }

@@ -4,11 +4,11 @@
 use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::memory::{collected, with_capacity};
+use crate::memory::{AllocResult, collected, with_capacity};
 use crate::netmesh::operations::template::{cage_points, cage_template};
 use crate::netmesh::questions::cage_site::{REPRESENTABLE, spacing_near};
 use crate::netmesh::state::hierarchy::{DomainId, ROOT};
-use crate::netmesh::state::{Mesher, limit};
+use crate::netmesh::state::{Mesher, State, limit};
 use crate::numerics::{affine_basis, distance};
 
 /// The ball that the hull of the outer cage holds is at least this many times the inputs' ball.
@@ -17,17 +17,19 @@ const ROOM: f64 = 1.25;
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Makes the outer cage, and puts all inputs on conflict lists.
     pub(in crate::netmesh) fn start_netmesh(&mut self, cavity: &mut Cavity) -> Result<()> {
-        let center = self.start_outer_cage(&[], cavity)?;
+        let center = self.start_outer_cage(&[], 1.0, cavity)?;
         self.assign_inputs(center)?;
         self.clean(cavity)
     }
 
     /// Makes the outer cage around all inputs, centred at the input nearest to the middle, so that
-    /// the root domain has a vertex at its centre (Definition 3) without a Steiner point. Returns
-    /// that vertex.
+    /// the root domain has a vertex at its centre (Definition 3) without a Steiner point. It
+    /// surrounds `further` points, too, and is `distance` times as far away as for points alone,
+    /// unless doubles have no room for that. Returns that vertex.
     pub(in crate::netmesh) fn start_outer_cage(
         &mut self,
         further: &[[f64; D]],
+        distance: f64,
         cavity: &mut Cavity,
     ) -> Result<VertexId> {
         let most = self.state.parameters.max_vertices;
@@ -38,14 +40,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         let center = self.central_input()?;
         let point = *self.state.delaunay.point(center);
-        let radius = self.root_radius(&point, further)?;
-        let sphere =
-            cage_points(&self.state.template, &point, radius * self.state.parameters.cage_scale)?;
-        if sphere.iter().flatten().any(|x| !x.is_finite()) || !(2.0 * radius).is_finite() {
-            let message =
-                "the coordinates are too large: the outer cage leaves the range of double";
-            return Err(Error::new(ErrorKind::Limit, message));
-        }
+        let near = self.root_radius(&point, further)?;
+        let (radius, sphere) = match self.outer_cage(&point, distance * near)? {
+            Some(sphere) => (distance * near, sphere),
+            None => (near, self.outer_cage(&point, near)?.ok_or_else(too_large)?),
+        };
         self.state.hierarchy.create(center, point, radius, DomainId::NONE, sphere.len())?;
         self.state.stats.cages_created += 1;
         let mut vertices = with_capacity(1 + sphere.len())?;
@@ -127,6 +126,15 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
+    /// Returns the vertices of an outer cage, unless it leaves the range of doubles.
+    fn outer_cage(&self, center: &[f64; D], radius: f64) -> AllocResult<Option<Vec<[f64; D]>>> {
+        let State { template, parameters, .. } = &self.state;
+        let sphere = cage_points(template, center, radius * parameters.cage_scale)?;
+        let is_in_range =
+            (2.0 * radius).is_finite() && sphere.iter().flatten().all(|x| x.is_finite());
+        Ok(is_in_range.then_some(sphere))
+    }
+
     /// Returns the input nearest to the middle of the bounding box.
     fn central_input(&mut self) -> Result<VertexId> {
         let mut low = *self.state.delaunay.point(VertexId::new(0));
@@ -165,6 +173,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let hull = self.state.parameters.cage_scale * self.state.parameters.hull_radius();
         Ok((self.state.parameters.root_scale.max(ROOM / hull) * radius).max(spacing))
     }
+}
+
+fn too_large() -> Error {
+    let message = "the coordinates are too large: the outer cage leaves the range of double";
+    Error::new(ErrorKind::Limit, message)
 }
 
 #[cfg(test)]

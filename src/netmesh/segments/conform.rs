@@ -17,7 +17,7 @@ impl Mesher<'_, '_, 2> {
         arrangement: &Arrangement,
         cavity: &mut Cavity,
     ) -> Result<()> {
-        self.begin_to_conform(arrangement, &[], cavity)?;
+        self.begin_to_conform(arrangement, &[], 1.0, cavity)?;
         let lines = self.lines_of(arrangement, cavity)?;
         self.make_domains()?;
         for line in &lines {
@@ -50,16 +50,17 @@ impl Mesher<'_, '_, 2> {
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Inserts the inputs into the outer cage, which surrounds `further` points, too. No bound
-    /// counts until the mesh conforms.
+    /// Inserts the inputs into the outer cage, which surrounds `further` points, too, and is
+    /// `distance` times as far away as for points alone. No bound counts until the mesh conforms.
     pub(in crate::netmesh) fn begin_to_conform(
         &mut self,
         arrangement: &Arrangement,
         further: &[[f64; D]],
+        distance: f64,
         cavity: &mut Cavity,
     ) -> Result<()> {
         self.state.stage.bound = f64::INFINITY;
-        let center = self.start_outer_cage(further, cavity)?;
+        let center = self.start_outer_cage(further, distance, cavity)?;
         self.insert_points(center, cavity)?;
         self.state.stats.near_inputs = arrangement.near_inputs;
         self.state.stats.farthest_near_input = arrangement.farthest_near_input;

@@ -6,6 +6,7 @@
 use crate::complex::VertexId;
 use crate::error::Result;
 use crate::memory::{AllocError, AllocResult, Array, TryGrow, enqueue, filled, with_capacity};
+use crate::netmesh::state::facets::faces::EDGES;
 use crate::netmesh::state::watch::Watch;
 use std::collections::VecDeque;
 
@@ -303,9 +304,24 @@ impl Chains {
         }
     }
 
+    /// Returns the subsegments between the vertices of a tetrahedron, in the order of
+    /// [`EDGES`].
+    #[inline]
+    pub fn edges_of(&self, vertices: &[VertexId]) -> [Option<u32>; 6] {
+        let places: [OnChain; 4] = std::array::from_fn(|at| self.place(vertices[at]));
+        EDGES.map(|[a, b]| match places[a] == OnChain::Elsewhere || places[b] == OnChain::Elsewhere {
+            true => None,
+            false => self.between_places((vertices[a], places[a]), (vertices[b], places[b])),
+        })
+    }
+
     #[inline]
     fn between_places(&self, a: (VertexId, OnChain), b: (VertexId, OnChain)) -> Option<u32> {
         match (a.1, b.1) {
+            // One that ends at both.
+            (OnChain::Between(own), OnChain::Between(other)) => {
+                own.into_iter().find(|subsegment| other.contains(subsegment))
+            }
             (OnChain::Between(two), _) | (_, OnChain::Between(two)) => {
                 two.into_iter().find(|&subsegment| {
                     let ends = self.get(subsegment).ends;

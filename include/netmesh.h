@@ -1540,8 +1540,9 @@ typedef struct nm_options {
     double cage_scale;
     /**
      * Radius of the root ball relative to the input's bounding ball; it is larger where the cage
-     * would not surround the input (a small cage_scale, a large delta). In [2, 16], default 2.5,
-     * 2.5, 3, 4 in 2D, 3D, 4D, more.
+     * would not surround the input (a small cage_scale, a large delta), and 2^20 times as large
+     * where facets end a mesh without a bound: its cage is no part of that. In [2, 16], default
+     * 2.5, 2.5, 3, 4 in 2D, 3D, 4D, more.
      */
     double root_scale;
 } nm_options;

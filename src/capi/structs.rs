@@ -217,8 +217,8 @@ pub struct nm_options {
     pub cage_scale: f64,
     /// Radius of the root ball relative to the input's bounding ball; it is larger where the cage
     /// would not surround the input (a small cage_scale, a large delta), and 2^20 times as large
-    /// where facets end the mesh: its cage is no part of that. In [2, 16], default 2.5, 2.5, 3, 4 in
-    /// 2D, 3D, 4D, more.
+    /// where facets end a mesh without a bound: its cage is no part of that. In [2, 16], default
+    /// 2.5, 2.5, 3, 4 in 2D, 3D, 4D, more.
     pub root_scale: f64,
 }
 

@@ -118,7 +118,7 @@ fn triangles_without_an_area_are_left_out() {
     for own in [[0, 8, 1], [3, 3, 5], [6, 6, 6]] {
         triangles.push(own);
         let made = run(&points, &triangles, &split(Extent::Boundary, 2.0));
-        assert!((volume(&made) - 1.0).abs() < 1e-15, "{own:?}");
+        assert_eq!(volume(&made), 1.0, "{own:?}");
         let error = surface(&points, &triangles).run(&bounded(2.0), None).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::InvalidArgument);
         assert!(error.message().starts_with("triangles[12] has no area near"), "{error}");

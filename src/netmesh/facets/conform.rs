@@ -13,15 +13,16 @@ use crate::netmesh::state::facets::plane::Plane;
 use crate::netmesh::state::facets::{Facet, Facets};
 use crate::netmesh::state::segments::chain::{Chains, Line};
 use crate::options::Extent;
+use crate::parameters::Parameters;
 
 /// Number of units in the last place of a facet's largest coordinate by which its vertices may be
 /// beyond the box of its corners.
 const MARGIN: f64 = 128.0;
 
-/// Number of times that the outer cage is farther away where the result ends at facets. A ball
-/// through a triangle of the hull reaches out the farther the nearer the next vertex behind it is,
-/// and must not hold the cage: so far out a cage costs no vertices unless that is nearer than a
-/// millionth of the triangle's size.
+/// Number of times that the outer cage is farther away where the mesh ends at facets and has no
+/// bound. A ball through a triangle of the hull reaches out the farther the nearer the next vertex
+/// behind it is, and must not hold the cage: so far out that costs no vertices unless the vertex is
+/// nearer than a millionth of the triangle's size.
 const FAR: f64 = 1048576.0;
 
 impl Mesher<'_, '_, 3> {
@@ -32,10 +33,7 @@ impl Mesher<'_, '_, 3> {
         arrangement: &Arrangement,
         cavity: &mut Cavity,
     ) -> Result<()> {
-        let distance = match self.state.parameters.extent {
-            Extent::All => 1.0,
-            _ => FAR,
-        };
+        let distance = self.distance_of_cage();
         self.begin_to_conform(arrangement, &arrangement.corners, distance, cavity)?;
         let mut vertices = self.vertices_of_inputs()?;
         self.add_points(&arrangement.corners, &mut vertices, cavity)?;
@@ -57,6 +55,18 @@ impl Mesher<'_, '_, 3> {
         self.refuse_lost_subfacets()?;
         self.find_regions()?;
         self.judge_regions(&arrangement.regions)
+    }
+
+    /// Returns how many times as far as for points alone the outer cage is. With a bound it is as
+    /// near: simplices within the hull may be flat where it is far, and ask for points far outside,
+    /// which takes up to half as much time again.
+    fn distance_of_cage(&self) -> f64 {
+        let Parameters { extent, quality_bound, .. } = self.state.parameters;
+        match extent {
+            Extent::All => 1.0,
+            _ if quality_bound.is_finite() => 1.0,
+            _ => FAR,
+        }
     }
 
     /// Refuses subfacets that doubles keep out of the mesh: regions would be one through such a

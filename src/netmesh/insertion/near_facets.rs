@@ -6,8 +6,8 @@ use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::memory::{AllocResult, TryGrow};
 use crate::netmesh::state::State;
-use crate::netmesh::state::facets::NearBoundary;
 use crate::netmesh::state::facets::faces::{EDGES, FACES};
+use crate::netmesh::state::facets::near::NearBoundary;
 use crate::numerics::{distance, in_diametral_ball};
 
 impl State<3> {

@@ -5,8 +5,8 @@ use crate::complex::SimplexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::netmesh::state::Mesher;
-use crate::netmesh::state::facets::NearBoundary;
 use crate::netmesh::state::facets::floors::{Guard, Purpose};
+use crate::netmesh::state::facets::near::NearBoundary;
 
 /// Subsegments and subfacets that a Steiner point would encroach, and what became of them.
 pub(super) enum Encroachment {

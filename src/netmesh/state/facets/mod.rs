@@ -10,6 +10,7 @@ pub(in crate::netmesh) mod faces;
 pub(in crate::netmesh) mod features;
 pub(in crate::netmesh) mod floors;
 pub(in crate::netmesh) mod meetings;
+pub(in crate::netmesh) mod near;
 pub(in crate::netmesh) mod plane;
 pub(in crate::netmesh) mod sheet;
 pub(in crate::netmesh) mod shields;
@@ -26,6 +27,7 @@ use crate::netmesh::state::facets::faces::Faces;
 use crate::netmesh::state::facets::features::Features;
 use crate::netmesh::state::facets::floors::Floors;
 use crate::netmesh::state::facets::meetings::Meetings;
+use crate::netmesh::state::facets::near::NearBoundary;
 use crate::netmesh::state::facets::plane::Plane;
 use crate::netmesh::state::facets::shields::Shields;
 use crate::netmesh::state::segments::chain::Chains;
@@ -75,61 +77,6 @@ pub(in crate::netmesh) struct Facets {
     pub star: Array<SimplexId>,
     /// Subfacets whose edges wait for a test, and others that a search has found.
     pub found: Vec<u32>,
-}
-
-/// Subsegments and subfacets near a point, each with true if the point crosses it.
-#[derive(Default)]
-pub(in crate::netmesh) struct NearBoundary {
-    pub subsegments: Vec<(u32, bool)>,
-    pub subfacets: Vec<(u32, bool)>,
-    /// Place for the keys of a sort.
-    pub depths: Vec<(u64, (u32, bool))>,
-    /// Subsegment -> its place in `subsegments` while a search adds to these, if it has one.
-    places: Vec<u32>,
-}
-
-impl NearBoundary {
-    pub fn is_empty(&self) -> bool {
-        self.subsegments.is_empty() && self.subfacets.is_empty()
-    }
-
-    pub fn clear(&mut self) {
-        self.subsegments.clear();
-        self.subfacets.clear();
-    }
-
-    /// Keeps those of the subsegments and of the subfacets that pass, each once, by their numbers.
-    pub fn retain(
-        &mut self,
-        subsegments: impl FnMut(&(u32, bool)) -> bool,
-        subfacets: impl FnMut(&(u32, bool)) -> bool,
-    ) {
-        self.subsegments.retain(subsegments);
-        self.subfacets.retain(subfacets);
-        self.subsegments.sort_unstable();
-        self.subfacets.sort_unstable();
-        self.subfacets.dedup();
-    }
-
-    /// Begins a search among so many subsegments.
-    pub fn begin(&mut self, subsegments: usize) -> AllocResult<()> {
-        self.clear();
-        self.places.cover(subsegments, 0)
-    }
-
-    /// Adds a subsegment, which a point crosses if it does so wherever a search comes to it.
-    #[inline]
-    pub fn note_subsegment(&mut self, subsegment: u32, is_crossed: bool) -> AllocResult<()> {
-        let place = &mut self.places[subsegment as usize];
-        match self.subsegments.get_mut(*place as usize) {
-            Some(known) if known.0 == subsegment => known.1 &= is_crossed,
-            _ => {
-                *place = self.subsegments.len() as u32;
-                self.subsegments.try_push((subsegment, is_crossed))?;
-            }
-        }
-        Ok(())
-    }
 }
 
 /// Facet: a polygon of the caller's, or triangles that lie in one plane.

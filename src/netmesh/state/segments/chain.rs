@@ -309,9 +309,11 @@ impl Chains {
     #[inline]
     pub fn edges_of(&self, vertices: &[VertexId]) -> [Option<u32>; 6] {
         let places: [OnChain; 4] = std::array::from_fn(|at| self.place(vertices[at]));
-        EDGES.map(|[a, b]| match places[a] == OnChain::Elsewhere || places[b] == OnChain::Elsewhere {
-            true => None,
-            false => self.between_places((vertices[a], places[a]), (vertices[b], places[b])),
+        EDGES.map(|[a, b]| {
+            match places[a] == OnChain::Elsewhere || places[b] == OnChain::Elsewhere {
+                true => None,
+                false => self.between_places((vertices[a], places[a]), (vertices[b], places[b])),
+            }
         })
     }
 

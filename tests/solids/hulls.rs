@@ -61,3 +61,10 @@ fn hulls_may_reach_to_the_largest_doubles() {
         }
     }
 }
+
+/// Holds that what surrounds the facets stays near where it is part of the mesh.
+#[test]
+fn what_surrounds_facets_is_near_where_it_is_part_of_the_mesh() {
+    let made = cuboid([0.0; 3], [1.0; 3]).run(&alone(Extent::All));
+    assert!(made.points.iter().all(|x| x.abs() < 10.0));
+}

@@ -10,10 +10,19 @@ use crate::numerics::{MAX_SIZE, Sign};
 /// counterclockwise (D = 2), zero if they lie in one hyperplane.
 ///
 /// Exact for all finite coordinates. Usually O(2^D D) floating-point operations; points that are
-/// nearly in one hyperplane cost as many in integers.
+/// nearly in one hyperplane cost as many in integers, unless they have a coordinate in common.
 #[inline]
 pub fn orientation<const D: usize>(simplex: &[&[f64; D]]) -> Sign {
-    orientation_filtered(simplex).unwrap_or_else(|| orientation_exact(simplex))
+    orientation_filtered(simplex).unwrap_or_else(|| match have_one_coordinate(simplex) {
+        true => Sign::Zero,
+        false => orientation_exact(simplex),
+    })
+}
+
+/// Returns true if points lie in one hyperplane along the axes, as those of most flat sides of
+/// parts do.
+fn have_one_coordinate<const D: usize>(simplex: &[&[f64; D]]) -> bool {
+    (0..D).any(|k| simplex[1..].iter().all(|p| p[k] == simplex[0][k]))
 }
 
 /// Returns the sign of [`orientation`] if floating-point arithmetic with an error bound can tell
@@ -128,6 +137,25 @@ mod tests {
         check::<6>();
         check::<7>();
         check::<8>();
+    }
+
+    /// Checks points that have a coordinate in common, and those that differ in it by an ulp.
+    #[test]
+    fn points_in_a_plane_along_an_axis_are_on_it() {
+        let mut random = Random(5);
+        for family in FAMILIES {
+            for axis in 0..3 {
+                let mut simplex = points::<3>(family, 4, &mut random);
+                let level = simplex[0][axis];
+                simplex.iter_mut().for_each(|p| p[axis] = level);
+                assert!(have_one_coordinate(&references(&simplex)));
+                assert_eq!(orientation(&references(&simplex)), Sign::Zero, "{family:?}");
+                simplex[3][axis] = level.next_up();
+                assert!(!have_one_coordinate(&references(&simplex)));
+                let expected = orientation_oracle(&references(&simplex));
+                assert_eq!(orientation(&references(&simplex)), expected, "{family:?}");
+            }
+        }
     }
 
     /// Checks the filter against integers: it is never wrong, and never undecided on generic

@@ -46,8 +46,8 @@ pub(in crate::netmesh) struct Facets {
     /// Subsegment -> one of its pages, [`NONE`] without any.
     pages: Vec<u32>,
     faces: Faces,
-    /// Vertex -> true if it is on a facet.
-    holds: Array<bool>,
+    /// Vertex -> the bits of the facets that it is on.
+    on: Array<u64>,
     /// Vertex -> the facet that it is in between lines, [`NONE`] for others.
     inside: Array<u32>,
     /// First vertices -> the facets that they are on.
@@ -125,6 +125,11 @@ struct Waiting {
     subfacet: std::cmp::Reverse<u32>,
 }
 
+/// Returns the bit that stands for a facet, and for every 64th before and behind it.
+fn bit_of(facet: u32) -> u64 {
+    1 << (facet % u64::BITS)
+}
+
 impl Subfacet {
     /// Returns the number of the edge between two vertices, in any direction.
     pub fn edge_between(&self, a: VertexId, b: VertexId) -> Option<usize> {
@@ -155,7 +160,7 @@ impl Facets {
         watch: &mut Watch<'_, '_>,
     ) -> Result<Self> {
         let mut sheets = Self { facets, bent, ..Self::default() };
-        sheets.holds = Array::filled(vertices, false)?;
+        sheets.on = Array::filled(vertices, 0)?;
         sheets.pages = filled(chains.len(), NONE)?;
         sheets.subfacets = with_capacity(triangles.len())?;
         sheets.faces.reserve(triangles.len())?;
@@ -170,7 +175,7 @@ impl Facets {
                 is_waiting: false,
                 is_limited: false,
             });
-            vertices.iter().for_each(|&vertex| sheets.holds[vertex] = true);
+            vertices.iter().for_each(|&vertex| sheets.on[vertex] |= bit_of(facet));
             sheets.faces.insert(&vertices, number)?;
         }
         sheets.join_edges(chains, watch)?;
@@ -377,30 +382,23 @@ impl Facets {
     /// Returns true if `vertex` is on a facet.
     #[inline]
     pub fn holds(&self, vertex: VertexId) -> bool {
-        self.holds.get(vertex.index()).copied().unwrap_or(false)
+        self.bits(vertex) != 0
     }
 
     /// Returns the subfacet with these vertices, if there is one.
     #[inline]
     pub fn face(&self, vertices: &[VertexId; 3]) -> Option<u32> {
-        match vertices.iter().all(|&vertex| self.holds(vertex)) && self.may_share(vertices) {
-            true => self.faces.get(vertices),
-            false => None,
+        match vertices.iter().fold(u64::MAX, |bits, &vertex| bits & self.bits(vertex)) {
+            0 => None,
+            _ => self.faces.get(vertices),
         }
     }
 
-    /// Returns true unless two of the vertices are between the lines of different facets.
+    /// Returns the bits of the facets that a vertex is on. Vertices of one facet have a bit in
+    /// common.
     #[inline]
-    fn may_share(&self, vertices: &[VertexId; 3]) -> bool {
-        let [a, b, c] = vertices.map(|vertex| self.inside_of(vertex));
-        let differ = |f: u32, g: u32| f != g && f != NONE && g != NONE;
-        !(differ(a, b) || differ(b, c) || differ(c, a))
-    }
-
-    /// Returns the facet that a vertex is in between lines, [`NONE`] for others.
-    #[inline]
-    fn inside_of(&self, vertex: VertexId) -> u32 {
-        self.inside.get(vertex.index()).copied().unwrap_or(NONE)
+    fn bits(&self, vertex: VertexId) -> u64 {
+        self.on.get(vertex.index()).copied().unwrap_or(0)
     }
 
     /// Returns a page of a subsegment, if it has any.

@@ -1,7 +1,7 @@
 //! Changes of sheets: a vertex goes in, edges flip. They know no coordinates: whoever calls has
 //! made sure that the triangles turn the right way.
 
-use super::{Facets, Subfacet};
+use super::{Facets, Subfacet, bit_of};
 use crate::complex::VertexId;
 use crate::memory::{AllocResult, TryGrow};
 use crate::mesh::NONE;
@@ -12,7 +12,7 @@ impl Facets {
     pub fn split_inside(&mut self, subfacet: u32, vertex: VertexId) -> AllocResult<[u32; 3]> {
         let whole = self.subfacets[subfacet as usize];
         let parts = [subfacet, self.subfacets.len() as u32, self.subfacets.len() as u32 + 1];
-        self.add_vertex(vertex, whole.facet)?;
+        self.add_inside(vertex, whole.facet)?;
         self.subfacets.try_extend(&[whole; 2])?;
         self.faces.remove(&whole.vertices);
         for edge in 0..3 {
@@ -40,7 +40,7 @@ impl Facets {
         let (own, other) = (subfacet, self.get(subfacet).neighbors[edge]);
         let [a, b] = self.get(own).ends(edge);
         let beyond = self.get(other).edge_between(a, b).unwrap_or(0);
-        self.add_vertex(vertex, self.get(own).facet)?;
+        self.add_inside(vertex, self.get(own).facet)?;
         let [first, second] = self.split_half(own, edge, vertex)?;
         let [third, fourth] = self.split_half(other, beyond, vertex)?;
         // The parts of one have the vertex between the same ends as those of the other, reversed.
@@ -64,14 +64,16 @@ impl Facets {
         self.pages.try_push(NONE)?;
         debug_assert_eq!(self.pages.len(), second as usize + 1);
         let Some(first_page) = self.page_of(subsegment) else { return Ok(()) };
-        self.add_vertex(vertex, NONE)?;
+        self.add_vertex(vertex)?;
         let before = made.len();
         let mut page = first_page;
         loop {
             let edge = self.get(page).edge_between(start, end);
             debug_assert!(edge.is_some(), "pages have the subsegment");
             let edge = edge.unwrap_or(0);
-            let next = self.get(page).neighbors[edge];
+            let Subfacet { neighbors, facet, .. } = *self.get(page);
+            let next = neighbors[edge];
+            self.on[vertex] |= bit_of(facet);
             made.try_extend(&self.split_half(page, edge, vertex)?)?;
             if next == first_page {
                 break;
@@ -230,12 +232,16 @@ impl Facets {
         self.set_edge(another, [vertex, shared], one, NONE);
     }
 
-    /// Adds a vertex, in a facet between lines unless that is [`NONE`].
-    fn add_vertex(&mut self, vertex: VertexId, inside: u32) -> AllocResult<()> {
-        self.inside.cover(vertex.index() + 1, NONE)?;
-        self.inside[vertex] = inside;
-        self.holds.cover(vertex.index() + 1, false)?;
-        self.holds[vertex] = true;
+    /// Adds a vertex that is in a facet, between its lines.
+    fn add_inside(&mut self, vertex: VertexId, facet: u32) -> AllocResult<()> {
+        self.add_vertex(vertex)?;
+        self.inside[vertex] = facet;
+        self.on[vertex] = bit_of(facet);
         Ok(())
+    }
+
+    fn add_vertex(&mut self, vertex: VertexId) -> AllocResult<()> {
+        self.inside.cover(vertex.index() + 1, NONE)?;
+        self.on.cover(vertex.index() + 1, 0)
     }
 }

@@ -130,6 +130,23 @@ fn facets_go_through_vertices_within_roundings_of_their_coarsest_axis() {
     run(&points, &[[0, 1, 2], [2, 4, 3]], &split(Extent::Box, f64::INFINITY));
 }
 
+/// Meshes a triangle that is there twice. An edge of it goes through a vertex that is beyond its
+/// end along two axes, and before it along the third, by 1e-290.
+#[test]
+fn vertices_near_zero_are_level_along_an_edge_within_roundings() {
+    let points = [
+        [1.0, 2.24735715465097e-23, 1.0],
+        [1.0, 1.0, 0.9999999999999999],
+        [1.0, 1.0000000000000002, 1.0],
+        [1.0, 1.0, -8.039371558274012e-93],
+        [0.0, 5.634155089066714e-241, -2.5653355008114852e-290],
+        [-2.5653355008114852e-290; 3],
+        [-2.5653355008114852e-290, -2.5653355008114852e-290, -1.390671161567e-309],
+    ];
+    let triangles = [[0, 2, 3], [3, 1, 4], [1, 4, 3]];
+    run(&points, &triangles, &split(Extent::All, f64::INFINITY));
+}
+
 /// Holds that two fins at an end on a facet's edge, at angles of less than a millionth from the
 /// facet, end in a limit with a place, or in a mesh. A subfacet between opposite points of a sphere
 /// about the end is flat but for roundings: the way to the middle of its arc is no number, and

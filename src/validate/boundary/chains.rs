@@ -25,6 +25,9 @@ const NEAR: f64 = 4.0;
 /// axis: rounding explains no gap beside it.
 const SHORTEST: f64 = 4096.0;
 
+/// Part of a unit of roundings of its ends up to which vertices are level along a segment.
+const LEVEL: f64 = 0.25;
+
 /// Distance from a segment up to which a vertex is on its chain.
 #[derive(Clone, Copy)]
 pub(super) enum Nearness {
@@ -214,13 +217,14 @@ impl<'a, const D: usize> Chains<'a, D> {
     /// Returns true if `b` comes after `a` along the segment on the axis on which its ends are most
     /// units in the last place apart. Level vertices may follow each other both ways: where the
     /// segment is bent its pieces of some units have ways of their own, and edges of a mesh do not
-    /// lie on each other.
+    /// lie on each other. Near zero, where doubles are finer than roundings of the ends, vertices
+    /// are level that differ by less than [`LEVEL`] units of these.
     fn advances(&self, way: Way, a: u32, b: u32) -> bool {
-        let [from, to] = way.ends.map(|end| self.view.point(end));
-        let [a, b] = [a, b].map(|vertex| self.view.point(vertex));
-        let axis = self.axis_of(way);
-        let advances = if to[axis] < from[axis] { b[axis] < a[axis] } else { a[axis] < b[axis] };
-        advances || a[axis] == b[axis] && a != b
+        let (ends, axis) = (way.ends.map(|end| self.view.point(end)), self.axis_of(way));
+        let level = LEVEL * self.roundings.steps_of(ends)[axis];
+        let places = [a, b].map(|vertex| self.view.point(vertex)[axis]);
+        let is_level = (places[0] - places[1]).abs() <= level;
+        goes_on(ends.map(|end| end[axis]), places) || is_level && a != b
     }
 
     /// Returns the axis on which the ends of a segment are most units in the last place apart.
@@ -303,7 +307,7 @@ impl<'a, const D: usize> Chains<'a, D> {
         let (axis, view) = (self.axis_of(way), self.view);
         let [from, to] = way.ends.map(|end| view.point(end)[axis]);
         let place = |vertex: u32| view.point(vertex)[axis];
-        let goes_on = |next: u32| place(next) != place(vertex);
+        let goes_on = |next: u32| goes_on([from, to], [vertex, next].map(place));
         self.waiting[first..].sort_unstable_by(|one, other| {
             let (a, b) = (one.vertex, other.vertex);
             let ascending = place(a).total_cmp(&place(b));
@@ -358,6 +362,11 @@ impl<'a, const D: usize> Chains<'a, D> {
         };
         meets(from, to, p, widths)
     }
+}
+
+/// Returns true if the second of two places is beyond the first on the way from end to end.
+fn goes_on([from, to]: [f64; 2], [a, b]: [f64; 2]) -> bool {
+    if to < from { b < a } else { a < b }
 }
 
 /// Returns the number of units between two points on an axis.

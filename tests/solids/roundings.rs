@@ -147,6 +147,22 @@ fn vertices_near_zero_are_level_along_an_edge_within_roundings() {
     run(&points, &triangles, &split(Extent::All, f64::INFINITY));
 }
 
+/// Meshes two triangles whose common edge is no longer than roundings of the rest. An edge of the
+/// first goes through a vertex beside both, and another way leads along the next one.
+#[test]
+fn facets_with_a_second_way_along_an_edge_are_split() {
+    let points = [
+        [1.0, 0.9999999999999999, 2.2525162451587278e-23],
+        [1.0, 1.0, -8.039371558274012e-93],
+        [0.0, -5e-324, 5.623863052108616e-241],
+        [-2.5653355008114852e-290, -1.1704190886730496e-97, -2.5653355008114852e-290],
+        [-2.5653355008114852e-290; 3],
+        [-2.5653355008114852e-290, -5e-324, 6.02479966275721e-182],
+        [0.0, -5e-324, 0.0],
+    ];
+    run(&points, &[[1, 2, 4], [2, 4, 3]], &split(Extent::All, f64::INFINITY));
+}
+
 /// Holds that two fins at an end on a facet's edge, at angles of less than a millionth from the
 /// facet, end in a limit with a place, or in a mesh. A subfacet between opposite points of a sphere
 /// about the end is flat but for roundings: the way to the middle of its arc is no number, and

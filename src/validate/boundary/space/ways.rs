@@ -348,8 +348,9 @@ impl<'a> Ways<'a> {
         let parameters = &self.view.mesh.parameters;
         let has_own = parameters.extent == Extent::Hull;
         let meets = parameters.crossings == Crossings::Split || parameters.extent == Extent::Box;
+        let (faces, view) = (self.faces, self.view);
         let is_of_frame = |ends: [u32; 2]| {
-            let mut beside = self.faces.beside(self.view, ends);
+            let mut beside = faces.beside(view, ends);
             has_own && beside.any(|at| boundary.subfacet_parents[at as usize] == NONE)
         };
         for (at, (&[a, b], &parent)) in
@@ -358,6 +359,9 @@ impl<'a> Ways<'a> {
             let is_own = || is_of_frame([a, b]) || meets && self.is_between_facets([a, b]);
             let is_known = self.is_covered[at]
                 || parent == NONE && (is_own() || self.leads_along_edge([a, b])?);
+            if !is_known {
+                self.doubt_facets_at([a, b]);
+            }
             findings.check(is_known && parent == self.owners[at], || {
                 let message = message!(
                     "subsegment {at} from vertex {a} to {b} is of segment {parent}, and no chain \
@@ -367,6 +371,17 @@ impl<'a> Ways<'a> {
             });
         }
         Ok(())
+    }
+
+    /// Notes that the facets at a subsegment do not hold as they are read: it is of none of their
+    /// edges.
+    fn doubt_facets_at(&mut self, ends: [u32; 2]) {
+        for subfacet in self.faces.beside(self.view, ends) {
+            let parent = self.view.mesh.boundary.subfacet_parents[subfacet as usize];
+            if let Some(is_failing) = self.failing.facets.get_mut(parent as usize) {
+                *is_failing = true;
+            }
+        }
     }
 
     /// Returns true if a subsegment leads along an edge of a facet that is read as split, as the

@@ -16,7 +16,9 @@ impl State<3> {
     pub(in crate::netmesh) fn find_boundary_in(&mut self, cavity: &Cavity) -> AllocResult<()> {
         let Self { delaunay, segments, facets, .. } = self;
         let mut near = std::mem::take(&mut facets.near);
-        near.begin(segments.chains.len())?;
+        near.clear();
+        let mut places = std::mem::take(&mut facets.places);
+        places.cover(segments.chains.len(), 0)?;
         let complex = delaunay.complex();
         for (at, &simplex) in cavity.simplices.iter().enumerate() {
             let vertices = complex.vertices(simplex);
@@ -37,7 +39,7 @@ impl State<3> {
                 if let Some(subsegment) = edge {
                     // The faces at an edge are opposite the other two vertices.
                     let is_crossed = EDGES[5 - at].iter().all(|&opposite| !is_outer[opposite]);
-                    near.note_subsegment(subsegment, is_crossed)?;
+                    near.note_subsegment(subsegment, is_crossed, &mut places)?;
                 }
             }
             for (index, face) in FACES.iter().enumerate() {
@@ -52,7 +54,7 @@ impl State<3> {
                 }
             }
         }
-        self.facets.near = near;
+        (facets.near, facets.places) = (near, places);
         Ok(())
     }
 

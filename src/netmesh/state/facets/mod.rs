@@ -71,6 +71,8 @@ pub(in crate::netmesh) struct Facets {
     feature_sizes: Array<f64>,
     /// Subsegments and subfacets near a point.
     pub near: NearBoundary,
+    /// Subsegment -> its place among those near a point, for searches.
+    pub places: Vec<u32>,
     /// Number of vertices of the boundary that are on top of others but for roundings.
     pub on_top: u32,
     /// Simplices at a vertex, for searches.

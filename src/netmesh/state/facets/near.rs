@@ -9,8 +9,6 @@ pub(in crate::netmesh) struct NearBoundary {
     pub subfacets: Vec<(u32, bool)>,
     /// Place for the keys of a sort.
     pub depths: Vec<(u64, (u32, bool))>,
-    /// Subsegment -> its place in `subsegments` while a search adds to these, if it has one.
-    places: Vec<u32>,
 }
 
 impl NearBoundary {
@@ -31,17 +29,22 @@ impl NearBoundary {
         self.subfacets.dedup();
     }
 
-    /// Begins a search among so many subsegments.
-    pub fn begin(&mut self, subsegments: usize) -> AllocResult<()> {
+    pub fn clear(&mut self) {
         self.subsegments.clear();
         self.subfacets.clear();
-        self.places.cover(subsegments, 0)
     }
 
     /// Adds a subsegment, which a point crosses if it does so wherever a search comes to it.
+    /// `places`: subsegment -> its place among those that were added since the search began, if it
+    /// is one; any number otherwise.
     #[inline]
-    pub fn note_subsegment(&mut self, subsegment: u32, is_crossed: bool) -> AllocResult<()> {
-        let place = &mut self.places[subsegment as usize];
+    pub fn note_subsegment(
+        &mut self,
+        subsegment: u32,
+        is_crossed: bool,
+        places: &mut [u32],
+    ) -> AllocResult<()> {
+        let place = &mut places[subsegment as usize];
         match self.subsegments.get_mut(*place as usize) {
             Some(known) if known.0 == subsegment => known.1 &= is_crossed,
             _ => {

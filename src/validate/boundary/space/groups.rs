@@ -66,6 +66,7 @@ pub(super) fn each_facet(
             None => drop(findings.check(false, || describe("a facet's triangles have no area"))),
         }
         let own = || group.iter().map(|member| member.1 as usize);
+        own().for_each(|triangle| ways.group_of[triangle] = group[0].1);
         if findings.violations > before || own().any(|triangle| ways.failing.facets[triangle]) {
             own().for_each(|triangle| ways.failing.facets[triangle] = true);
         }

@@ -39,6 +39,8 @@ pub(super) struct Ways<'a> {
     split_edges: Vec<[u32; 2]>,
     /// Subfacet -> the facet that was last found to have it, or [`NONE`], and how many times.
     pub tile_of: Vec<(u32, i64)>,
+    /// Triangle of the caller's -> one of those that are one facet with it, the same for all.
+    pub group_of: Vec<u32>,
     /// Facets and segments that do not hold as they are read.
     pub failing: Failing,
 }
@@ -83,6 +85,7 @@ impl<'a> Ways<'a> {
             is_on_chain,
             split_edges,
             tile_of,
+            group_of: collected(0..reading.facets.len() as u32)?,
             failing,
         })
     }
@@ -348,7 +351,7 @@ impl<'a> Ways<'a> {
         let parameters = &self.view.mesh.parameters;
         let has_own = parameters.extent == Extent::Hull;
         let meets = parameters.crossings == Crossings::Split || parameters.extent == Extent::Box;
-        let (faces, view) = (self.faces, self.view);
+        let (faces, view, mut doubted) = (self.faces, self.view, Vec::new());
         let is_of_frame = |ends: [u32; 2]| {
             let mut beside = faces.beside(view, ends);
             has_own && beside.any(|at| boundary.subfacet_parents[at as usize] == NONE)
@@ -360,7 +363,7 @@ impl<'a> Ways<'a> {
             let is_known = self.is_covered[at]
                 || parent == NONE && (is_own() || self.leads_along_edge([a, b])?);
             if !is_known {
-                self.doubt_facets_at([a, b]);
+                self.doubt_facets_at([a, b], &mut doubted)?;
             }
             findings.check(is_known && parent == self.owners[at], || {
                 let message = message!(
@@ -370,18 +373,34 @@ impl<'a> Ways<'a> {
                 Violation::new(ViolationKind::SegmentLine, message).vertex(a as usize)
             });
         }
+        self.note_failing(&doubted)
+    }
+
+    /// Adds the facets at a subsegment that is of none of their edges.
+    fn doubt_facets_at(&self, ends: [u32; 2], doubted: &mut Vec<u32>) -> AllocResult<()> {
+        for subfacet in self.faces.beside(self.view, ends) {
+            let parent = self.view.mesh.boundary.subfacet_parents[subfacet as usize];
+            if (parent as usize) < self.failing.facets.len() {
+                doubted.try_push(parent)?;
+            }
+        }
         Ok(())
     }
 
-    /// Notes that the facets at a subsegment do not hold as they are read: it is of none of their
-    /// edges.
-    fn doubt_facets_at(&mut self, ends: [u32; 2]) {
-        for subfacet in self.faces.beside(self.view, ends) {
-            let parent = self.view.mesh.boundary.subfacet_parents[subfacet as usize];
-            if let Some(is_failing) = self.failing.facets.get_mut(parent as usize) {
-                *is_failing = true;
-            }
+    /// Notes that some facets do not hold as they are read, with all triangles that are one with
+    /// them.
+    fn note_failing(&mut self, facets: &[u32]) -> AllocResult<()> {
+        if facets.is_empty() {
+            return Ok(());
         }
+        let mut is_failing = filled(self.group_of.len(), false)?;
+        for &facet in facets {
+            is_failing[self.group_of[facet as usize] as usize] = true;
+        }
+        for (own, &group) in self.failing.facets.iter_mut().zip(&self.group_of) {
+            *own |= is_failing[group as usize];
+        }
+        Ok(())
     }
 
     /// Returns true if a subsegment leads along an edge of a facet that is read as split, as the

@@ -103,7 +103,7 @@ impl State<3> {
     /// Sorts what a point encroaches by how deep it is in the ball, relative to the ball's radius.
     pub(in crate::netmesh) fn sort_near_by_depth(&mut self, x: &[f64; 3]) -> AllocResult<()> {
         let mut near = std::mem::take(&mut self.facets.near);
-        let NearBoundary { subsegments, subfacets, depths, .. } = &mut near;
+        let NearBoundary { subsegments, subfacets, depths } = &mut near;
         sort_by_key(subsegments, depths, |subsegment| {
             let [a, b] = self.segments.chains.get(subsegment).ends;
             let [a, b] = [a, b].map(|end: VertexId| self.delaunay.point(end));

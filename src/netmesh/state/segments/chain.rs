@@ -285,23 +285,14 @@ impl Chains {
         if u8::from(at_a == off) + u8::from(at_b == off) + u8::from(at_c == off) > 1 {
             return [None; 3];
         }
-        let between =
-            |a: (VertexId, OnChain), b: (VertexId, OnChain)| match a.1 == off || b.1 == off {
-                true => None,
-                false => self.between_places(a, b),
-            };
         let (a, b, c) = ((a, at_a), (b, at_b), (c, at_c));
-        [between(b, c), between(c, a), between(a, b)]
+        [(b, c), (c, a), (a, b)].map(|(from, to)| self.between_places(from, to))
     }
 
     /// Returns the subsegment between two vertices.
     #[inline]
     pub fn edge_between(&self, a: VertexId, b: VertexId) -> Option<u32> {
-        let (at_a, at_b) = (self.place(a), self.place(b));
-        match at_a == OnChain::Elsewhere || at_b == OnChain::Elsewhere {
-            true => None,
-            false => self.between_places((a, at_a), (b, at_b)),
-        }
+        self.between_places((a, self.place(a)), (b, self.place(b)))
     }
 
     /// Returns the subsegments between the vertices of a tetrahedron, in the order of
@@ -309,17 +300,13 @@ impl Chains {
     #[inline]
     pub fn edges_of(&self, vertices: &[VertexId]) -> [Option<u32>; 6] {
         let places: [OnChain; 4] = std::array::from_fn(|at| self.place(vertices[at]));
-        EDGES.map(|[a, b]| {
-            match places[a] == OnChain::Elsewhere || places[b] == OnChain::Elsewhere {
-                true => None,
-                false => self.between_places((vertices[a], places[a]), (vertices[b], places[b])),
-            }
-        })
+        EDGES.map(|[a, b]| self.between_places((vertices[a], places[a]), (vertices[b], places[b])))
     }
 
     #[inline]
     fn between_places(&self, a: (VertexId, OnChain), b: (VertexId, OnChain)) -> Option<u32> {
         match (a.1, b.1) {
+            (OnChain::Elsewhere, _) | (_, OnChain::Elsewhere) => None,
             // One that ends at both.
             (OnChain::Between(own), OnChain::Between(other)) => {
                 own.into_iter().find(|subsegment| other.contains(subsegment))
@@ -334,7 +321,6 @@ impl Chains {
                 let at_end = self.at_ends[self.find_at_end(end, b.0)?];
                 (!at_end.is_split).then_some(at_end.line)
             }
-            (OnChain::Elsewhere, _) => None,
         }
     }
 

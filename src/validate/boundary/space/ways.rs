@@ -351,9 +351,9 @@ impl<'a> Ways<'a> {
         let parameters = &self.view.mesh.parameters;
         let has_own = parameters.extent == Extent::Hull;
         let meets = parameters.crossings == Crossings::Split || parameters.extent == Extent::Box;
-        let (faces, view, mut doubted) = (self.faces, self.view, Vec::new());
+        let mut doubted = Vec::new();
         let is_of_frame = |ends: [u32; 2]| {
-            let mut beside = faces.beside(view, ends);
+            let mut beside = self.faces.beside(self.view, ends);
             has_own && beside.any(|at| boundary.subfacet_parents[at as usize] == NONE)
         };
         for (at, (&[a, b], &parent)) in

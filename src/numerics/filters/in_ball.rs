@@ -1,5 +1,6 @@
 //! The side of a circumsphere that a point is on, exactly.
 
+use super::at_sight::are_cospherical_at_sight;
 use super::determinant::{certain_sign, determinant};
 use super::precise::precise_in_ball;
 use crate::numerics::exact::{in_ball_exact, in_ball_in_few_bits};
@@ -18,12 +19,13 @@ pub fn in_ball<const D: usize>(simplex: &[&[f64; D]], q: &[f64; D]) -> Sign {
 }
 
 /// Returns the result of [`in_ball`] for a point that is nearly on the sphere: in integers of a
-/// word or two where these are enough, else in some 106 bits, and where that is not enough in
-/// integers.
+/// word or two where these are enough, else by comparisons where these tell that it is on it, else
+/// in some 106 bits, and where that is not enough in integers.
 #[cold]
 #[inline(never)]
 pub fn in_ball_with_care<const D: usize>(simplex: &[&[f64; D]], q: &[f64; D]) -> Sign {
     in_ball_in_few_bits(simplex, q)
+        .or_else(|| are_cospherical_at_sight(simplex, q).then_some(Sign::Zero))
         .or_else(|| precise_in_ball(simplex, q))
         .unwrap_or_else(|| in_ball_exact(simplex, q))
 }

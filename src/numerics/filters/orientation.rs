@@ -1,5 +1,6 @@
 //! The orientation of a simplex, exactly.
 
+use super::at_sight::are_flat_at_sight;
 use super::determinant::{certain_sign, determinant};
 use crate::numerics::exact::orientation_exact;
 use crate::numerics::lengths::largest_magnitude;
@@ -10,19 +11,13 @@ use crate::numerics::{MAX_SIZE, Sign};
 /// counterclockwise (D = 2), zero if they lie in one hyperplane.
 ///
 /// Exact for all finite coordinates. Usually O(2^D D) floating-point operations; points that are
-/// nearly in one hyperplane cost as many in integers, unless they have a coordinate in common.
+/// nearly in one hyperplane cost as many in integers, unless comparisons tell that they are.
 #[inline]
 pub fn orientation<const D: usize>(simplex: &[&[f64; D]]) -> Sign {
-    orientation_filtered(simplex).unwrap_or_else(|| match have_one_coordinate(simplex) {
+    orientation_filtered(simplex).unwrap_or_else(|| match are_flat_at_sight(simplex) {
         true => Sign::Zero,
         false => orientation_exact(simplex),
     })
-}
-
-/// Returns true if points lie in one hyperplane along the axes, as those of most flat sides of
-/// parts do.
-fn have_one_coordinate<const D: usize>(simplex: &[&[f64; D]]) -> bool {
-    (0..D).any(|k| simplex[1..].iter().all(|p| p[k] == simplex[0][k]))
 }
 
 /// Returns the sign of [`orientation`] if floating-point arithmetic with an error bound can tell
@@ -148,10 +143,9 @@ mod tests {
                 let mut simplex = points::<3>(family, 4, &mut random);
                 let level = simplex[0][axis];
                 simplex.iter_mut().for_each(|p| p[axis] = level);
-                assert!(have_one_coordinate(&references(&simplex)));
+                assert!(are_flat_at_sight(&references(&simplex)));
                 assert_eq!(orientation(&references(&simplex)), Sign::Zero, "{family:?}");
                 simplex[3][axis] = level.next_up();
-                assert!(!have_one_coordinate(&references(&simplex)));
                 let expected = orientation_oracle(&references(&simplex));
                 assert_eq!(orientation(&references(&simplex)), expected, "{family:?}");
             }

@@ -33,8 +33,8 @@ fn have_one_middle([a, b]: [f64; 2], [c, d]: [f64; 2]) -> bool {
     are_equal([a, b]) || are_equal([b, a]) || one.high == other.high && one.low == other.low
 }
 
-/// Returns true if two pairs of points, four in all, differ in one and the same coordinate alone,
-/// and `do_match` says so of their values of it.
+/// Returns true if two pairs of points differ in one and the same coordinate alone, and `do_match`
+/// says so of their values of it. Pairs that share a point count: three points are on a line then.
 fn have_pairs_along_one_axis<const D: usize>(
     points: &[&[f64; D]],
     do_match: impl Fn([f64; 2], [f64; 2]) -> bool,
@@ -43,13 +43,13 @@ fn have_pairs_along_one_axis<const D: usize>(
         for j in i + 1..points.len() {
             let Some(axis) = axis_between(points[i], points[j]) else { continue };
             let values = |a: usize, b: usize| [points[a][axis], points[b][axis]];
+            // Pairs with an earlier point were seen with that one first.
+            let later = || i + 1..points.len();
             let does_match = |a: usize, b: usize| {
                 axis_between(points[a], points[b]) == Some(axis)
                     && do_match(values(i, j), values(a, b))
             };
-            // Pairs with an earlier point were seen with that one first.
-            let others = || (i + 1..points.len()).filter(|&k| k != j);
-            if others().any(|a| others().any(|b| a < b && does_match(a, b))) {
+            if later().any(|a| later().any(|b| a < b && does_match(a, b))) {
                 return true;
             }
         }

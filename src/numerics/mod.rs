@@ -58,6 +58,7 @@ pub(crate) use power::scale_by_power;
 pub use random::{SplitMix, mixed, random_numbers};
 pub use segment::{in_diametral_ball, offset_from_line, point_at_level, point_between};
 pub use sign::Sign;
+pub(crate) use volume::scaled_determinant;
 pub use volume::volume;
 
 /// Largest dimension that the module supports.

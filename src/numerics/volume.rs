@@ -1,8 +1,8 @@
 //! The volume of a simplex, whatever its size and shape.
 
 use super::exact::Edges;
-use super::filters::{determinant_filtered, precise_determinant};
-use super::power::scale_by_power;
+use super::filters::{are_flat_at_sight, determinant_filtered, precise_determinant};
+use super::power::{UNIT, biased_exponent, scale_by_power};
 
 /// Largest relative error of a determinant in floating point that is accepted; the division by a
 /// factorial and two scalings come on top.
@@ -15,13 +15,33 @@ const ACCEPTED: f64 = 9e-13;
 /// Usually O(2^D D) floating-point operations; a flat simplex costs some twenty times as much, one
 /// that is flat within roundings as many operations in integers.
 pub fn volume<const D: usize>(simplex: &[&[f64; D]]) -> f64 {
-    let in_integers =
-        || Edges::new(simplex[0], simplex[1..].iter().copied()).determinant_of_components();
     let (mantissa, exponent) = determinant_filtered(simplex, ACCEPTED)
         .or_else(|| precise_determinant(simplex, ACCEPTED))
-        .unwrap_or_else(in_integers);
+        .unwrap_or_else(|| in_integers(simplex));
     let factorial: u32 = (1..=D as u32).product();
     scale_by_power(mantissa / f64::from(factorial), exponent)
+}
+
+/// Returns det[p1 - p0, ..., pD - p0] for `D + 1` finite points as `(m, e)`, m * 2^e with |m| in
+/// [1, 2), or m = 0, within 2 units of roundoff; zero only if it is.
+///
+/// Some thousand operations at most, unless the points are flat within roundings and comparisons do
+/// not tell that they are flat.
+pub(crate) fn scaled_determinant<const D: usize>(simplex: &[&[f64; D]]) -> (f64, i64) {
+    if are_flat_at_sight(simplex) {
+        return (0.0, 0);
+    }
+    match precise_determinant(simplex, 2.0 * UNIT) {
+        Some((mantissa, exponent)) => {
+            let shift = i64::from(biased_exponent(mantissa)) - 1023;
+            (scale_by_power(mantissa, -shift), exponent + shift)
+        }
+        None => in_integers(simplex),
+    }
+}
+
+fn in_integers<const D: usize>(simplex: &[&[f64; D]]) -> (f64, i64) {
+    Edges::new(simplex[0], simplex[1..].iter().copied()).determinant_of_components()
 }
 
 #[cfg(test)]
@@ -43,6 +63,14 @@ mod tests {
                 let exact = determinant_oracle(&rows);
                 let factorial = IBig::from((1..=D).product::<usize>());
                 let denominator = factorial << (1074 * (D - 1));
+                let (mantissa, exponent) = scaled_determinant(&references(&points));
+                let bound = mantissa.abs() * 2.0 * UNIT;
+                assert!(mantissa == 0.0 || (1.0..2.0).contains(&mantissa.abs()), "{points:?}");
+                // In units of 2^-1074 of one.
+                let shift = 1074 - 1074 * D as i64 - exponent;
+                let [up, down] = [shift, -shift].map(|shift| shift.max(0) as usize);
+                let quotient = (&(exact.clone() << up), &(IBig::ONE << down));
+                assert!(is_close(mantissa, bound, 0, quotient), "{family:?} {points:?}");
                 let value = volume(&references(&points));
                 if value.is_infinite() {
                     let largest = integer(f64::MAX) * &denominator;

@@ -4,7 +4,9 @@ use super::projection::Projection;
 use super::sides::Sides;
 use crate::arrangement::poll::Poll;
 use crate::error::Result;
-use crate::numerics::{Edges, cross, orientation, scale_by_power, scale_of_differences};
+use crate::numerics::{
+    cross, orientation, scale_by_power, scale_of_differences, scaled_determinant,
+};
 
 /// Sine of the largest angle between two triangles that roundings explain.
 pub(super) const ROUNDING: f64 = 1e-12;
@@ -56,7 +58,7 @@ impl Hinge<'_> {
     /// Returns the sine of the angle, with a relative error of some units of roundoff.
     fn sine(&self) -> f64 {
         let ([a, b], [c, d]) = (self.edge, self.apexes);
-        let volume = Edges::new(a, [b, c, d].into_iter()).determinant_of_components();
+        let volume = scaled_determinant(&[a, b, c, d]);
         let normals = [c, d].map(|apex| scaled_norm(normal([a, b, apex])));
         let scale = scale_of_differences([a, b]);
         let halvings = i64::from(scale < 1.0);
@@ -95,7 +97,7 @@ pub(super) fn sine_of(degrees: f64) -> f64 {
 pub(super) fn normal(corners: [&[f64; 3]; 3]) -> [(f64, i64); 3] {
     Projection::ALL.map(|projection| {
         let [a, b, c] = corners.map(|corner| projection.image(corner));
-        Edges::new(&a, [&b, &c].into_iter()).determinant_of_components()
+        scaled_determinant(&[&a, &b, &c])
     })
 }
 

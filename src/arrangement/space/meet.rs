@@ -8,7 +8,9 @@
 
 use super::projection::Projection;
 use crate::mesh::IntersectionKind;
-use crate::numerics::{Edges, Sign, orientation, point_between, scale_by_power, scale_of_products};
+use crate::numerics::{
+    Sign, orientation, point_between, scale_by_power, scale_of_products, scaled_determinant,
+};
 use std::array::from_fn;
 
 /// Face of a triangle or segment, as the set of its vertices: bit i stands for vertex i.
@@ -290,8 +292,7 @@ pub(super) fn corner(points: &[[f64; 3]], both: [&[u32]; 2], faces: [Face; 2]) -
         from_fn(|_| other.next())
     };
     if let [Some(a), Some(b), Some(c)] = through {
-        let volume =
-            |x: &[f64; 3]| Edges::new(a, [b, c, x].into_iter()).determinant_of_components();
+        let volume = |x: &[f64; 3]| scaled_determinant(&[a, b, c, x]);
         if let Some(distances) = distances(volume(p), volume(q)) {
             return divided(p, q, distances);
         }
@@ -303,7 +304,7 @@ pub(super) fn corner(points: &[[f64; 3]], both: [&[u32]; 2], faces: [Face; 2]) -
         let [r, s] = [r, s].map(|end| projection.image(end));
         let area = |x: &[f64; 3]| {
             let x = projection.image(x);
-            Edges::new(&r, [&s, &x].into_iter()).determinant_of_components()
+            scaled_determinant(&[&r, &s, &x])
         };
         distances(area(p), area(q))
     };

@@ -3,7 +3,8 @@
 use super::projection::Projection;
 use crate::arrangement::reach::{NEAR, unit_in_last_place};
 use crate::numerics::{
-    Edges, affine_basis, distance, norm, orientation, scale_by_power, scale_of_differences,
+    affine_basis, distance, norm, orientation, scale_by_power, scale_of_differences,
+    scaled_determinant,
 };
 
 /// Plane through three vertices of a polygon that are far from each other.
@@ -133,7 +134,7 @@ impl<'a> Gauge<'a> {
     /// then as a length.
     pub fn measure(&self, x: &[f64; 3]) -> (f64, f64) {
         let [a, b, c] = self.base;
-        let (volume, exponent) = Edges::new(a, [b, c, x].into_iter()).determinant_of_components();
+        let (volume, exponent) = scaled_determinant(&[a, b, c, x]);
         let volume = |shift: i64| scale_by_power(volume.abs(), exponent - self.exponent - shift);
         let explained: f64 = (0..3).map(|k| NEAR * self.normal[k].abs() * self.units[k]).sum();
         let excess = volume(self.unit_exponent) / (explained * (1.0 + self.weights(x)));
@@ -168,7 +169,7 @@ pub(super) fn units_of<'a>(points: impl Iterator<Item = &'a [f64; 3]>) -> [f64; 
 /// Returns twice the area of a projected triangle as `(m, e)`: m * 2^e.
 fn area(projection: Projection, corners: [&[f64; 3]; 3]) -> (f64, i64) {
     let [a, b, c] = corners.map(|corner| projection.image(corner));
-    Edges::new(&a, [&b, &c].into_iter()).determinant_of_components()
+    scaled_determinant(&[&a, &b, &c])
 }
 
 /// Returns a number that grows with the distance of a point from a line, but for roundings.

@@ -22,6 +22,7 @@ mod precise;
 mod rounded_ball;
 mod solve;
 
+pub use at_sight::are_flat_at_sight;
 pub use circumball::Circumball;
 pub(crate) use f64x2::{F64x2, Real};
 pub(crate) use hyperplane::Hyperplane;

@@ -6,7 +6,7 @@
 use super::super::bends::{normal, normalized};
 use super::super::meet::{Face, corner, vertices_of_face};
 use crate::nearest::{Bounds, bounds_of};
-use crate::numerics::{Edges, cross, dot, scale_by_power, scale_of_products};
+use crate::numerics::{cross, dot, scale_by_power, scale_of_products, scaled_determinant};
 use std::array::from_fn;
 
 /// Factor by which coordinates must be smaller for a place to be computed from them: near to each
@@ -67,8 +67,8 @@ fn in_triangle(points: &[[f64; 3]], both: [&[u32]; 2], faces: [Face; 2]) -> [f64
     let volume = |left_out: usize| {
         let others = corners.clone().enumerate().filter(|(at, _)| *at != left_out);
         let mut all = ends.clone().chain(others.map(|(_, x)| x));
-        let base = all.next().unwrap_or(&low);
-        Edges::new(base, all).determinant_of_components()
+        let simplex: [&[f64; 3]; 4] = from_fn(|_| all.next().unwrap_or(&low));
+        scaled_determinant(&simplex)
     };
     let weights = normalized([0, 1, 2].map(volume)).0.map(f64::abs);
     let sum: f64 = weights.iter().sum();
@@ -129,7 +129,7 @@ impl<'a> Plane<'a> {
     /// a rounding or two of its own.
     fn height(&self, x: &[f64; 3], scale: f64) -> f64 {
         let [a, b, c] = self.corners;
-        let (m, exponent) = Edges::new(a, [b, c, x].into_iter()).determinant_of_components();
+        let (m, exponent) = scaled_determinant(&[a, b, c, x]);
         scale_by_power(scale * m, exponent - self.exponent)
     }
 }

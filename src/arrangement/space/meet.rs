@@ -129,14 +129,39 @@ fn triangles(points: &[[f64; 3]], [one, other]: [[u32; 3]; 2]) -> Option<Meeting
     if !is_same && are_apart(&of_other, &other, one) {
         return None;
     }
-    let of_one = sides(points, other, &one);
-    if !is_same && are_apart(&of_one, &one, other) {
+    let are_in_one_plane = of_other == [Sign::Zero; 3];
+    if are_in_one_plane && !is_same && are_apart_in_plane(points, [one, other])? {
+        return None;
+    }
+    let of_one = if are_in_one_plane { of_other } else { sides(points, other, &one) };
+    if !is_same && !are_in_one_plane && are_apart(&of_one, &one, other) {
         return None;
     }
     let mut meeting = Meeting::new();
     add_rim(points, (&one, of_one), other, &mut |faces| meeting.add(faces))?;
     add_rim(points, (&other, of_other), one, &mut |[b, a]| meeting.add([a, b]))?;
     Some(meeting)
+}
+
+/// Returns true if two triangles in one plane meet in no more than what they share, as an edge of
+/// one tells: all vertices of the other that it does not share are beyond. Of triangles that meet
+/// in no area one has such an edge, unless they touch. `None` if one has no area.
+fn are_apart_in_plane(points: &[[f64; 3]], both: [[u32; 3]; 2]) -> Option<bool> {
+    let corners = |triangle: [u32; 3]| triangle.map(|vertex| &points[vertex as usize]);
+    let projection = Projection::of_triangle(corners(both[0]))?;
+    let is_beyond = |one: [u32; 3], turn: Sign, other: [u32; 3], k: usize| {
+        let [a, b] = [(k + 1) % 3, (k + 2) % 3].map(|end| &points[one[end] as usize]);
+        let side = |vertex: u32| projection.turn([a, b, &points[vertex as usize]]) * turn;
+        let mut others = other.iter().filter(|vertex| !one.contains(vertex));
+        !other.contains(&one[k]) && others.all(|&vertex| side(vertex).is_negative())
+    };
+    let [first, second] = both;
+    let turns = both.map(|triangle| projection.turn(corners(triangle)));
+    let edges = 0..3;
+    Some(
+        edges.clone().any(|k| is_beyond(first, turns[0], second, k))
+            || edges.into_iter().any(|k| is_beyond(second, turns[1], first, k)),
+    )
 }
 
 /// Returns the meeting of a segment and a triangle, of which the triangle comes first if
@@ -168,7 +193,8 @@ fn add_rim(
 ) -> Option<()> {
     let point = |vertex: u32| &points[vertex as usize];
     let corners = triangle.map(point);
-    let in_plane = || Projection::of_triangle(corners);
+    let mut known = None;
+    let mut in_plane = || *known.get_or_insert_with(|| Projection::of_triangle(corners));
     for (at, &vertex) in rim.iter().enumerate().filter(|&(at, _)| sides[at].is_zero()) {
         let face = match triangle.iter().position(|&own| own == vertex) {
             Some(own) => Some(1 << own),

@@ -6,14 +6,15 @@ use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::memory::{AllocResult, TryGrow};
 use crate::netmesh::state::State;
-use crate::netmesh::state::facets::faces::{EDGES, FACES};
+use crate::netmesh::state::facets::faces::EDGES;
 use crate::netmesh::state::facets::near::NearBoundary;
 use crate::numerics::{distance, in_diametral_ball};
 
 impl State<3> {
     /// Finds the subsegments and subfacets of the simplices in `cavity`, and which of them a point
-    /// with that cavity crosses.
-    pub(in crate::netmesh) fn find_boundary_in(&mut self, cavity: &Cavity) -> AllocResult<()> {
+    /// with that cavity crosses. Subfacets that it does not cross are left out if `only_crossed` is
+    /// set.
+    fn find_boundary_in(&mut self, cavity: &Cavity, only_crossed: bool) -> AllocResult<()> {
         let Self { delaunay, segments, facets, .. } = self;
         let mut near = std::mem::take(&mut facets.near);
         near.clear();
@@ -22,10 +23,8 @@ impl State<3> {
         let complex = delaunay.complex();
         for (at, &simplex) in cavity.simplices.iter().enumerate() {
             let vertices = complex.vertices(simplex);
-            let on: [bool; 4] = std::array::from_fn(|i| {
-                segments.chains.holds(vertices[i]) || facets.holds(vertices[i])
-            });
-            if on.iter().filter(|&&on| on).count() < 2 {
+            let is_on = |&&vertex: &&_| segments.chains.bits(vertex) != 0 || facets.holds(vertex);
+            if vertices.iter().filter(is_on).count() < 2 {
                 continue;
             }
             let first = cavity.starts[at] as usize;
@@ -42,15 +41,16 @@ impl State<3> {
                     near.note_subsegment(subsegment, is_crossed, &mut places)?;
                 }
             }
-            for (index, face) in FACES.iter().enumerate() {
-                let is_crossed = !is_outer[index];
-                // A face inside of a whole cavity comes with the simplex on either side.
-                let comes_again = || cavity.is_whole && complex.neighbors(simplex)[index] < simplex;
-                if !face.iter().all(|&i| on[i]) || is_crossed && comes_again() {
-                    continue;
-                }
-                if let Some(subfacet) = facets.face(&face.map(|i| vertices[i])) {
-                    near.subfacets.try_push((subfacet, is_crossed))?;
+            // A face inside of a whole cavity comes with the simplex on either side.
+            let comes_again =
+                |index: usize| cavity.is_whole && complex.neighbors(simplex)[index] < simplex;
+            let faces = facets.faces_of(vertices, |index| match is_outer[index] {
+                true => !only_crossed,
+                false => !comes_again(index),
+            });
+            for (face, is_outer) in faces.into_iter().zip(is_outer) {
+                if let Some(subfacet) = face {
+                    near.subfacets.try_push((subfacet, !is_outer))?;
                 }
             }
         }
@@ -61,7 +61,7 @@ impl State<3> {
     /// Notes that a vertex goes in with `cavity`: what it crosses is queued. Regions stay known
     /// where it crosses nothing and nothing waits.
     pub(super) fn note_insertion_near_facets(&mut self, cavity: &Cavity) -> AllocResult<()> {
-        self.find_boundary_in(cavity)?;
+        self.find_boundary_in(cavity, true)?;
         let mut near = std::mem::take(&mut self.facets.near);
         near.retain(|&(_, is_crossed)| is_crossed, |&(_, is_crossed)| is_crossed);
         let is_any = !near.is_empty();
@@ -85,7 +85,7 @@ impl State<3> {
         x: &[f64; 3],
         cavity: &Cavity,
     ) -> AllocResult<bool> {
-        self.find_boundary_in(cavity)?;
+        self.find_boundary_in(cavity, false)?;
         let mut near = std::mem::take(&mut self.facets.near);
         near.retain(
             |&(subsegment, is_crossed)| {

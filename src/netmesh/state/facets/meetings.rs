@@ -66,6 +66,9 @@ impl Meetings {
     }
 }
 
+/// Number of meetings up to which one after the other is looked at faster than half of the rest.
+const FEW: usize = 16;
+
 /// The meetings of one facet.
 #[derive(Clone, Copy)]
 pub(in crate::netmesh) struct MeetingsOf<'a>(&'a [(u32, u32, Meeting)]);
@@ -79,7 +82,11 @@ impl<'a> MeetingsOf<'a> {
     /// Returns the places where the facet meets another one.
     #[inline]
     pub fn with(self, other: u32) -> impl Iterator<Item = Meeting> + 'a {
-        let first = self.0.partition_point(|&(_, met, _)| met < other);
+        let is_before = |&(_, met, _): &(u32, u32, Meeting)| met < other;
+        let first = match self.0.len() {
+            0..=FEW => self.0.iter().take_while(|own| is_before(own)).count(),
+            _ => self.0.partition_point(is_before),
+        };
         let own = self.0[first..].iter().take_while(move |&&(_, met, _)| met == other);
         own.map(|&(.., at)| at)
     }

@@ -23,7 +23,7 @@ use crate::memory::{
 use crate::mesh::NONE;
 use crate::nearest::Bounds;
 use crate::netmesh::state::facets::bent::Bent;
-use crate::netmesh::state::facets::faces::Faces;
+use crate::netmesh::state::facets::faces::{FACES, Faces};
 use crate::netmesh::state::facets::features::Features;
 use crate::netmesh::state::facets::floors::Floors;
 use crate::netmesh::state::facets::meetings::Meetings;
@@ -394,6 +394,25 @@ impl Facets {
             0 => None,
             _ => self.faces.get(vertices),
         }
+    }
+
+    /// Returns the subfacets that are faces of a simplex, of those that `is_wanted` is true of:
+    /// number i is opposite vertex number i.
+    #[inline]
+    pub fn faces_of(
+        &self,
+        vertices: &[VertexId],
+        is_wanted: impl Fn(usize) -> bool,
+    ) -> [Option<u32>; 4] {
+        let bits: [u64; 4] = std::array::from_fn(|at| self.bits(vertices[at]));
+        std::array::from_fn(|index| {
+            let face = FACES[index];
+            match bits[face[0]] & bits[face[1]] & bits[face[2]] {
+                0 => None,
+                _ if !is_wanted(index) => None,
+                _ => self.faces.get(&face.map(|at| vertices[at])),
+            }
+        })
     }
 
     /// Returns the bits of the facets that a vertex is on. Vertices of one facet have a bit in

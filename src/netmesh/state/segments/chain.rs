@@ -18,6 +18,8 @@ pub(in crate::netmesh) struct Chains {
     subsegments: Vec<Subsegment>,
     /// Vertex -> where it is on the chains; those beyond are not.
     places: Array<OnChain>,
+    /// Vertex -> the bits of the lines that it is on; those beyond have none.
+    bits: Array<u64>,
     /// End number i of lines has `at_ends[starts[i]..starts[i + 1]]`, by rising other end.
     starts: Vec<u32>,
     at_ends: Vec<AtEnd>,
@@ -74,6 +76,11 @@ pub(in crate::netmesh) struct AtEnd {
     is_split: bool,
 }
 
+/// Returns the bit that stands for a line, and for every 64th before and behind it.
+fn bit_of(line: u32) -> u64 {
+    1 << (line % u64::BITS)
+}
+
 impl Line {
     /// Returns the end that this line has in common with another one, and the other ends of both.
     pub fn corner_with(&self, other: &Self) -> Option<(VertexId, [VertexId; 2])> {
@@ -125,6 +132,7 @@ impl Chains {
     pub fn new(lines: Vec<Line>, vertices: usize, watch: &mut Watch<'_, '_>) -> Result<Self> {
         let mut chains =
             Self { places: Array::filled(vertices, OnChain::Elsewhere)?, ..Self::default() };
+        chains.bits = Array::filled(vertices, 0)?;
         chains.subsegments = with_capacity(lines.len())?;
         chains.waiting.try_reserve(lines.len()).map_err(AllocError::from)?;
         for (line, &Line { ends, .. }) in (0..).zip(&lines) {
@@ -163,6 +171,7 @@ impl Chains {
             for (end, other) in [(ends[0], ends[1]), (ends[1], ends[0])] {
                 self.at_ends[next[end] as usize] = AtEnd { other, line, is_split: false };
                 next[end] += 1;
+                self.bits[end] |= bit_of(line);
             }
         }
         for range in self.starts.windows(2) {
@@ -189,6 +198,13 @@ impl Chains {
     #[inline]
     fn place(&self, vertex: VertexId) -> OnChain {
         self.places.get(vertex.index()).copied().unwrap_or(OnChain::Elsewhere)
+    }
+
+    /// Returns the bits of the lines that a vertex is on. Vertices of one line have a bit in
+    /// common.
+    #[inline]
+    pub fn bits(&self, vertex: VertexId) -> u64 {
+        self.bits.get(vertex.index()).copied().unwrap_or(0)
     }
 
     /// Returns true if `vertex` is on a segment.
@@ -299,8 +315,11 @@ impl Chains {
     /// [`EDGES`].
     #[inline]
     pub fn edges_of(&self, vertices: &[VertexId]) -> [Option<u32>; 6] {
-        let places: [OnChain; 4] = std::array::from_fn(|at| self.place(vertices[at]));
-        EDGES.map(|[a, b]| self.between_places((vertices[a], places[a]), (vertices[b], places[b])))
+        let bits: [u64; 4] = std::array::from_fn(|at| self.bits(vertices[at]));
+        EDGES.map(|[a, b]| match bits[a] & bits[b] {
+            0 => None,
+            _ => self.edge_between(vertices[a], vertices[b]),
+        })
     }
 
     #[inline]
@@ -343,6 +362,8 @@ impl Chains {
         self.subsegments.try_push(second_half)?;
         self.subsegments[subsegment as usize] = first_half;
         self.places.cover(vertex.index() + 1, OnChain::Elsewhere)?;
+        self.bits.cover(vertex.index() + 1, 0)?;
+        self.bits[vertex] = bit_of(whole.line);
         self.places[vertex] = OnChain::Between([subsegment, second]);
         if let OnChain::Between(two) = &mut self.places[whole.ends[1]] {
             two[0] = second;
@@ -440,6 +461,8 @@ mod tests {
             let found = [(a, b), (b, a)]
                 .map(|(a, b)| chains.sides_of(&[vertex(a), vertex(b), elsewhere])[2]);
             assert_eq!(found[0], found[1]);
+            let all = chains.edges_of(&[elsewhere, vertex(a), vertex(b), VertexId::INFINITE]);
+            assert_eq!(all, [None, None, None, found[0], None, None]);
             found[0]
         };
         assert_eq!([ends(&chains, 0, 1), ends(&chains, 0, 2)], [Some(0), Some(1)]);

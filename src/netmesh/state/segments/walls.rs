@@ -75,13 +75,9 @@ impl Walls<'_> {
     /// it is on: number i is opposite vertex number i.
     #[inline]
     pub fn subfacets_of(self, vertices: &[VertexId]) -> [Seen; 4] {
-        let on = vertices.iter().filter(|&&vertex| self.facets.holds(vertex));
-        if on.count() < 3 {
-            return [None; 4];
-        }
-        FACES.map(|face| {
-            let face = face.map(|at| vertices[at]);
-            let number = self.facets.face(&face)?;
+        let numbers = self.facets.faces_of(vertices, |_| true);
+        std::array::from_fn(|index| {
+            let (number, face) = (numbers[index]?, FACES[index].map(|at| vertices[at]));
             let subfacet = self.facets.get(number);
             let start = face.iter().position(|&vertex| vertex == subfacet.vertices[0])?;
             let is_behind = face[(start + 1) % 3] != subfacet.vertices[1];

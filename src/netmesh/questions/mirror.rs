@@ -9,7 +9,7 @@
 //! the copy q' of q, turned by the angle t, has |c q'|^2 = |c q|^2 + 2ab (1 - cos t). Split at
 //! centres, each sheet would be split for the other, down to where doubles end or their distance.
 
-use crate::complex::{SimplexId, VertexId};
+use crate::complex::VertexId;
 use crate::memory::AllocResult;
 use crate::netmesh::questions::subfacets::OnSheet;
 use crate::netmesh::state::State;
@@ -71,34 +71,28 @@ impl State<3> {
         let beside_foot = if is_deep { BESIDE_COPY } else { BESIDE_FOOT };
         let target = Target { subfacet, facet, vertices, center, radius, beside_foot };
         let mut star = std::mem::take(&mut self.facets.star);
-        let mut best: Option<Image> = None;
+        let mut around = std::mem::take(&mut self.facets.around);
+        around.restart(self.delaunay.point_count())?;
         for vertex in vertices {
             self.delaunay.star(vertex, &mut star)?;
             for &simplex in &star {
-                best = self.best_image(simplex, &target, best);
+                for &other in self.delaunay.complex().vertices(simplex) {
+                    around.insert_finite(other)?;
+                }
             }
         }
-        self.facets.star = star;
-        Ok(best.map(|image| (image.subfacet, image.place)))
-    }
-
-    /// Returns the better of `best` and the images of the vertices of a simplex.
-    fn best_image(
-        &self,
-        simplex: SimplexId,
-        target: &Target,
-        mut best: Option<Image>,
-    ) -> Option<Image> {
-        for &vertex in self.delaunay.complex().vertices(simplex) {
-            if !vertex.is_valid() || !self.may_have_image(vertex, target) {
+        let mut best: Option<Image> = None;
+        for &vertex in &around.ids {
+            if !self.may_have_image(vertex, &target) {
                 continue;
             }
-            let Some(image) = self.image_of(vertex, target) else { continue };
+            let Some(image) = self.image_of(vertex, &target) else { continue };
             if best.as_ref().is_none_or(|best| image.is_better_than(best)) {
                 best = Some(image);
             }
         }
-        best
+        (self.facets.star, self.facets.around) = (star, around);
+        Ok(best.map(|image| (image.subfacet, image.place)))
     }
 
     /// Returns true if a vertex is on the boundary, not on the facet of `target`, in the smallest
@@ -110,8 +104,8 @@ impl State<3> {
         }
         let x = self.delaunay.point(vertex);
         distance(x, &target.center) < target.radius
-            && distance(x, &self.facets.foot(target.facet, x)) <= BESIDE_COPY * target.radius
             && !self.facets_of(vertex).any(|facet| facet == target.facet)
+            && distance(x, &self.facets.foot(target.facet, x)) <= BESIDE_COPY * target.radius
     }
 
     /// Returns the image of a vertex in the sheet of `target`, if the vertex is near to it.

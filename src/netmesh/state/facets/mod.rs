@@ -15,7 +15,7 @@ pub(in crate::netmesh) mod plane;
 pub(in crate::netmesh) mod sheet;
 pub(in crate::netmesh) mod shields;
 
-use crate::complex::{SimplexId, VertexId};
+use crate::complex::{SimplexId, VertexId, VertexSet};
 use crate::error::Result;
 use crate::memory::{
     AllocError, AllocResult, Array, Lists, TryGrow, filled, sorted_in_buckets, with_capacity,
@@ -77,6 +77,8 @@ pub(in crate::netmesh) struct Facets {
     pub on_top: u32,
     /// Simplices at a vertex, for searches.
     pub star: Array<SimplexId>,
+    /// Vertices of simplices at some vertices, for searches.
+    pub around: VertexSet,
     /// Subfacets whose edges wait for a test, and others that a search has found.
     pub found: Vec<u32>,
 }

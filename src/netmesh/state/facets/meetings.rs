@@ -2,6 +2,7 @@
 
 use crate::complex::VertexId;
 use crate::memory::{AllocResult, filled};
+use crate::netmesh::state::facets::bit_of;
 
 /// Pairs of facets that meet at small angles, and the places where they do.
 #[derive(Default)]
@@ -10,6 +11,8 @@ pub(in crate::netmesh) struct Meetings {
     all: Vec<(u32, u32, Meeting)>,
     /// Facet -> the first of its meetings, and one more.
     starts: Vec<usize>,
+    /// Facet -> the bits of the facets that it meets.
+    bits: Vec<u64>,
     /// First vertices -> the tiny angles there.
     tiny_angles: Vec<TinyAngles>,
 }
@@ -47,7 +50,11 @@ impl Meetings {
             count += before.count();
             *start = count;
         }
-        Ok(Self { all, starts, tiny_angles })
+        let mut bits = filled(facets, 0)?;
+        for &(own, met, _) in &all {
+            bits[own as usize] |= bit_of(met);
+        }
+        Ok(Self { all, starts, bits, tiny_angles })
     }
 
     /// Returns the places where a facet meets others.
@@ -55,8 +62,8 @@ impl Meetings {
     pub fn of(&self, facet: u32) -> MeetingsOf<'_> {
         let at = facet as usize;
         match self.starts.get(at..at + 2) {
-            Some(range) => MeetingsOf(&self.all[range[0]..range[1]]),
-            None => MeetingsOf(&[]),
+            Some(range) => MeetingsOf { all: &self.all[range[0]..range[1]], bits: self.bits[at] },
+            None => MeetingsOf { all: &[], bits: 0 },
         }
     }
 
@@ -66,28 +73,27 @@ impl Meetings {
     }
 }
 
-/// Number of meetings up to which one after the other is looked at faster than half of the rest.
-const FEW: usize = 16;
-
 /// The meetings of one facet.
 #[derive(Clone, Copy)]
-pub(in crate::netmesh) struct MeetingsOf<'a>(&'a [(u32, u32, Meeting)]);
+pub(in crate::netmesh) struct MeetingsOf<'a> {
+    all: &'a [(u32, u32, Meeting)],
+    /// Bits of the facets that it meets.
+    bits: u64,
+}
 
 impl<'a> MeetingsOf<'a> {
     #[inline]
     pub fn is_empty(self) -> bool {
-        self.0.is_empty()
+        self.all.is_empty()
     }
 
     /// Returns the places where the facet meets another one.
     #[inline]
     pub fn with(self, other: u32) -> impl Iterator<Item = Meeting> + 'a {
-        let is_before = |&(_, met, _): &(u32, u32, Meeting)| met < other;
-        let first = match self.0.len() {
-            0..=FEW => self.0.iter().take_while(|own| is_before(own)).count(),
-            _ => self.0.partition_point(is_before),
-        };
-        let own = self.0[first..].iter().take_while(move |&&(_, met, _)| met == other);
+        // Most facets do not meet.
+        let all = if self.bits & bit_of(other) == 0 { &[] } else { self.all };
+        let first = all.partition_point(|&(_, met, _)| met < other);
+        let own = all[first..].iter().take_while(move |&&(_, met, _)| met == other);
         own.map(|&(.., at)| at)
     }
 }

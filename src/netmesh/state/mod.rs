@@ -14,9 +14,11 @@
 //! - `order`: the order of locality, in which inputs are numbered.
 //! - `watch` and `progress`: the clock, the caller's function, and the numbers that it gets.
 //! - `workers`: work that threads share.
+//! - `bits`: sets of numbers as 64 bits.
 //!
 //! A part of the state belongs here with the methods that need no other part.
 
+pub(super) mod bits;
 pub(super) mod conflict_lists;
 pub(super) mod facets;
 pub(super) mod hierarchy;

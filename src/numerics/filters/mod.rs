@@ -4,9 +4,9 @@
 //! `orientation` and `in_ball` answer for one simplex. `circumball` computes a centre and a radius
 //! once, and then decides for every point in a few operations: it is the filter of all conflict
 //! tests. `rounded_ball` is what a complex keeps of it. The centre comes from `cramer` for ordinary
-//! simplices, from `solve` for others, and from integers where both are too inaccurate.
-//! `at_sight` knows degenerate positions by comparisons. `hyperplane` computes a normal once, and then places points and boxes. `determinant` serves
-//! these, and `f64x2` others too.
+//! simplices, from `solve` for others, and from integers where both are too inaccurate. `at_sight`
+//! knows degenerate positions by comparisons. `hyperplane` computes a normal once, and then places
+//! points and boxes. `determinant` serves these, and `f64x2` others too.
 //!
 //! A formula may enter if its comment proves the bound of its error for all finite coordinates.
 

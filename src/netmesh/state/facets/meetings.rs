@@ -2,7 +2,7 @@
 
 use crate::complex::VertexId;
 use crate::memory::{AllocResult, filled};
-use crate::netmesh::state::facets::bit_of;
+use crate::netmesh::state::bits::bit_of;
 
 /// Pairs of facets that meet at small angles, and the places where they do.
 #[derive(Default)]

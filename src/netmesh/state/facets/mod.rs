@@ -22,6 +22,7 @@ use crate::memory::{
 };
 use crate::mesh::NONE;
 use crate::nearest::Bounds;
+use crate::netmesh::state::bits::bit_of;
 use crate::netmesh::state::facets::bent::Bent;
 use crate::netmesh::state::facets::faces::{FACES, Faces};
 use crate::netmesh::state::facets::features::Features;
@@ -127,11 +128,6 @@ pub(in crate::netmesh) struct Subfacet {
 struct Waiting {
     radius: u64,
     subfacet: std::cmp::Reverse<u32>,
-}
-
-/// Returns the bit that stands for a facet, and for every 64th before and behind it.
-fn bit_of(facet: u32) -> u64 {
-    1 << (facet % u64::BITS)
 }
 
 impl Subfacet {

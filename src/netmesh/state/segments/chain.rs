@@ -6,6 +6,7 @@
 use crate::complex::VertexId;
 use crate::error::Result;
 use crate::memory::{AllocError, AllocResult, Array, TryGrow, enqueue, filled, with_capacity};
+use crate::netmesh::state::bits::bit_of;
 use crate::netmesh::state::facets::faces::EDGES;
 use crate::netmesh::state::watch::Watch;
 use std::collections::VecDeque;
@@ -74,11 +75,6 @@ pub(in crate::netmesh) struct AtEnd {
     pub line: u32,
     /// True if the line has been split.
     is_split: bool,
-}
-
-/// Returns the bit that stands for a line, and for every 64th before and behind it.
-fn bit_of(line: u32) -> u64 {
-    1 << (line % u64::BITS)
 }
 
 impl Line {

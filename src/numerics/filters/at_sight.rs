@@ -24,8 +24,8 @@ pub fn are_cospherical_at_sight<const D: usize>(simplex: &[&[f64; D]], q: &[f64;
     have_pairs_along_one_axis(&points[..D + 2], have_one_middle)
 }
 
-/// Returns true only if two numbers have the same sum as two others, and always unless a sum is out
-/// of range.
+/// Returns true only if two numbers have the same sum as two others, and always unless a sum, or a
+/// step on the way to it, is out of range: what is told of its parts is no number then.
 fn have_one_middle([a, b]: [f64; 2], [c, d]: [f64; 2]) -> bool {
     let sum = |a: f64, b: f64| DoubleDouble::difference(a, -b);
     let (one, other) = (sum(a, b), sum(c, d));

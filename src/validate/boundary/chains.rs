@@ -152,6 +152,7 @@ impl<'a, const D: usize> Chains<'a, D> {
         // A way that keeps to the rim as far as that leads may be bent where a straight one is.
         let is_found = match keep {
             Keep::AsFar => self.search_bent(way, from, to),
+            Keep::Bent => self.search_gap(way, from, to, Nearness::Bent),
             Keep::Directed | Keep::Along => self.cross_gap(way, from, to),
         };
         self.rims.keep(None);

@@ -13,6 +13,16 @@ pub(super) enum Keep {
     Along,
     /// The chain keeps to the rim, in its direction, as far as that leads.
     AsFar,
+    /// So does this one, bent as far as a chain may be: others that are nearer to the edge leave the
+    /// rim where it goes through an input farther off.
+    Bent,
+}
+
+impl Keep {
+    /// Returns true if the chain leads on beside the rim where that does not.
+    pub fn leaves_rim(self) -> bool {
+        matches!(self, Self::AsFar | Self::Bent)
+    }
 }
 
 /// Subsegments at rims, and what a search keeps to.
@@ -42,7 +52,8 @@ impl Rims {
 
     /// Returns true if a chain may lead along a subsegment, from its lower end if `is_upward`.
     pub fn allow(&self, subsegment: u32, is_upward: bool) -> bool {
-        self.keeps.is_none_or(|keeps| keeps.1 == Keep::AsFar) || self.hold(subsegment, is_upward)
+        let leaves_rim = self.keeps.is_none_or(|(_, keep)| keep.leaves_rim());
+        leaves_rim || self.hold(subsegment, is_upward)
     }
 
     /// Returns true if a search keeps to no rim, or if a subsegment leads along it.

@@ -123,7 +123,7 @@ pub(super) fn tiled(
     findings: &mut Findings,
 ) -> AllocResult<Tiled> {
     const SPLIT: &[&[Keep]] =
-        &[&[Keep::Directed, Keep::Along], &[Keep::Directed, Keep::AsFar], &[]];
+        &[&[Keep::Directed, Keep::Along], &[Keep::Directed, Keep::AsFar], &[], &[Keep::Bent]];
     const GIVEN: &[&[Keep]] = &[&[], &[Keep::Directed, Keep::AsFar]];
     let all = if ways.splits(facet.parent) { SPLIT } else { GIVEN };
     for keeps in all {
@@ -163,7 +163,7 @@ impl Tiled {
         ways.keep(&[]);
         let (rim, is_whole) = found?;
         let tiles = tiles::tiles(facet, &rim, ways)?;
-        Ok(Self { rim, is_whole, tiles, goes_round: keeps.contains(&Keep::AsFar) })
+        Ok(Self { rim, is_whole, tiles, goes_round: keeps.iter().any(|keep| keep.leaves_rim()) })
     }
 
     /// Returns true if the tiles end at the rim.

@@ -163,6 +163,23 @@ fn facets_with_a_second_way_along_an_edge_are_split() {
     run(&points, &[[1, 2, 4], [2, 4, 3]], &split(Extent::All, f64::INFINITY));
 }
 
+/// Meshes triangles along one edge, with a corner of two of them five units in the last place
+/// beside it. The edge goes through that corner for the triangle on whose area it borders, and past it for
+/// the first: so there are two chains along the edge.
+#[test]
+fn an_edge_of_a_facet_goes_through_a_corner_that_others_pass() {
+    let places: [[i64; 3]; 5] =
+        [[0, 0, 0], [1 << 24, 0, 0], [0, 0, 1 << 25], [1 << 25; 3], [1 << 10, -384, 3 << 31]];
+    let triangles = [[0, 4, 1], [4, 1, 2], [1, 2, 4], [2, 4, 3], [4, 3, 0]];
+    for start in [1.0f64, -1.0] {
+        let place = |units: i64| f64::from_bits(start.to_bits().wrapping_add_signed(units));
+        let points = places.map(|units| units.map(place));
+        for extent in [Extent::All, Extent::Box] {
+            run(&points, &triangles, &split(extent, f64::INFINITY));
+        }
+    }
+}
+
 /// Holds that two fins at an end on a facet's edge, at angles of less than a millionth from the
 /// facet, end in a limit with a place, or in a mesh. A subfacet between opposite points of a sphere
 /// about the end is flat but for roundings: the way to the middle of its arc is no number, and

@@ -13,8 +13,8 @@ pub(super) enum Keep {
     Along,
     /// The chain keeps to the rim, in its direction, as far as that leads.
     AsFar,
-    /// So does this one, bent as far as a chain may be: others that are nearer to the edge leave the
-    /// rim where it goes through an input farther off.
+    /// The same, bent as far as a chain may be. Chains that are nearer to the edge leave the rim
+    /// where that goes through an input farther off.
     Bent,
 }
 

@@ -164,8 +164,8 @@ fn facets_with_a_second_way_along_an_edge_are_split() {
 }
 
 /// Meshes triangles along one edge, with a corner of two of them five units in the last place
-/// beside it. The edge goes through that corner for the triangle on whose area it borders, and past it for
-/// the first: so there are two chains along the edge.
+/// beside it. The edge goes through that corner for the triangle on whose area it borders, and past
+/// it for the first: so there are two chains along the edge.
 #[test]
 fn an_edge_of_a_facet_goes_through_a_corner_that_others_pass() {
     let places: [[i64; 3]; 5] =

@@ -13,8 +13,8 @@ pub(super) enum Keep {
     Along,
     /// The chain keeps to the rim, in its direction, as far as that leads.
     AsFar,
-    /// The same, bent as far as a chain may be. Chains that are nearer to the edge leave the rim
-    /// where that goes through an input farther off.
+    /// The chain keeps to the rim so, and is bent as far as one may be. Chains nearer to the edge
+    /// leave the rim where that goes through an input farther off.
     Bent,
 }
 

@@ -134,7 +134,7 @@ fn triangles(points: &[[f64; 3]], [one, other]: [[u32; 3]; 2]) -> Option<Meeting
         return None;
     }
     let of_one = if are_in_one_plane { of_other } else { sides(points, other, &one) };
-    if !is_same && !are_in_one_plane && are_apart(&of_one, &one, other) {
+    if !are_in_one_plane && are_apart(&of_one, &one, other) {
         return None;
     }
     let mut meeting = Meeting::new();
@@ -157,11 +157,9 @@ fn are_apart_in_plane(points: &[[f64; 3]], both: [[u32; 3]; 2]) -> Option<bool> 
     };
     let [first, second] = both;
     let turns = both.map(|triangle| projection.turn(corners(triangle)));
-    let edges = 0..3;
-    Some(
-        edges.clone().any(|k| is_beyond(first, turns[0], second, k))
-            || edges.into_iter().any(|k| is_beyond(second, turns[1], first, k)),
-    )
+    let is_apart =
+        |k: usize| is_beyond(first, turns[0], second, k) || is_beyond(second, turns[1], first, k);
+    Some((0..3).any(is_apart))
 }
 
 /// Returns the meeting of a segment and a triangle, of which the triangle comes first if

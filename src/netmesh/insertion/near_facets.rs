@@ -23,7 +23,7 @@ impl State<3> {
         let complex = delaunay.complex();
         for (at, &simplex) in cavity.simplices.iter().enumerate() {
             let vertices = complex.vertices(simplex);
-            let is_on = |&&vertex: &&_| segments.chains.bits(vertex) != 0 || facets.holds(vertex);
+            let is_on = |&&vertex: &&_| segments.chains.holds(vertex) || facets.holds(vertex);
             if vertices.iter().filter(is_on).count() < 2 {
                 continue;
             }

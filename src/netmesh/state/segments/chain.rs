@@ -199,13 +199,14 @@ impl Chains {
     /// Returns the bits of the lines that a vertex is on. Vertices of one line have a bit in
     /// common.
     #[inline]
-    pub fn bits(&self, vertex: VertexId) -> u64 {
+    fn bits(&self, vertex: VertexId) -> u64 {
         self.bits.get(vertex.index()).copied().unwrap_or(0)
     }
 
     /// Returns true if `vertex` is on a segment.
+    #[inline]
     pub fn holds(&self, vertex: VertexId) -> bool {
-        self.place(vertex) != OnChain::Elsewhere
+        self.bits(vertex) != 0
     }
 
     /// Returns the line that `vertex` is on and no end of.

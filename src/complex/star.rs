@@ -7,14 +7,41 @@ impl<const D: usize> Complex<D> {
     /// Collects the live simplices at `vertex` into `star` (cleared first), infinite ones included.
     /// Uses the marks, and leaves none.
     pub fn star(&mut self, vertex: VertexId, star: &mut Array<SimplexId>) -> AllocResult<()> {
+        self.search_star(vertex, star, |_| false).map(|_| ())
+    }
+
+    /// Returns true if a live simplex at `vertex` has all of `others`. Takes time linear in the
+    /// star of `vertex`, a part of it mostly if there is one. `star` is for the search.
+    pub fn star_has(
+        &mut self,
+        vertex: VertexId,
+        others: &[VertexId],
+        star: &mut Array<SimplexId>,
+    ) -> AllocResult<bool> {
+        self.search_star(vertex, star, |own| others.iter().all(|other| own.contains(other)))
+    }
+
+    /// Collects the live simplices at `vertex` into `star` (cleared first) until vertices of one
+    /// are sought: then returns true.
+    #[inline(always)]
+    fn search_star(
+        &mut self,
+        vertex: VertexId,
+        star: &mut Array<SimplexId>,
+        are_sought: impl Fn(&[VertexId]) -> bool,
+    ) -> AllocResult<bool> {
         star.clear();
         self.begin_marks()?;
         let first = self.incident(vertex);
         self.marks.of(first).set_inside(true);
         star.try_push(first)?;
-        let mut next = 0;
+        let (mut next, mut is_found) = (0, false);
         while next < star.len() {
             let simplex = star[next];
+            if are_sought(self.vertices(simplex)) {
+                is_found = true;
+                break;
+            }
             next += 1;
             star.reserve(D)?;
             // All but that opposite the vertex.
@@ -29,6 +56,6 @@ impl<const D: usize> Complex<D> {
         for &simplex in &*star {
             self.marks.of(simplex).set_inside(false);
         }
-        Ok(())
+        Ok(is_found)
     }
 }

@@ -131,6 +131,16 @@ impl<const D: usize> Delaunay<D> {
         self.complex.star(vertex, star)
     }
 
+    /// Returns true if a simplex at a vertex has all of some others: see [`Complex::star_has`].
+    pub fn star_has(
+        &mut self,
+        vertex: VertexId,
+        others: &[VertexId],
+        star: &mut Array<SimplexId>,
+    ) -> AllocResult<bool> {
+        self.complex.star_has(vertex, others, star)
+    }
+
     /// Starts the complex with D + 1 affinely independent points.
     pub fn begin(&mut self, first: &[VertexId]) -> AllocResult<()> {
         let mut ordered = [VertexId::NONE; MAX_SIMPLEX_VERTICES];

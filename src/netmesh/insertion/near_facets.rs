@@ -23,8 +23,7 @@ impl State<3> {
         let complex = delaunay.complex();
         for (at, &simplex) in cavity.simplices.iter().enumerate() {
             let vertices = complex.vertices(simplex);
-            let is_on = |&&vertex: &&_| segments.chains.holds(vertex) || facets.holds(vertex);
-            if vertices.iter().filter(is_on).count() < 2 {
+            if !segments.chains.may_have_edge(vertices) && !facets.may_have_face(vertices) {
                 continue;
             }
             let first = cavity.starts[at] as usize;
@@ -34,24 +33,20 @@ impl State<3> {
             for facet in &cavity.boundary[first..last] {
                 is_outer[facet.index as usize] = true;
             }
-            for (at, edge) in segments.chains.edges_of(vertices).into_iter().enumerate() {
-                if let Some(subsegment) = edge {
-                    // The faces at an edge are opposite the other two vertices.
-                    let is_crossed = EDGES[5 - at].iter().all(|&opposite| !is_outer[opposite]);
-                    near.note_subsegment(subsegment, is_crossed, &mut places)?;
-                }
+            for (at, subsegment) in segments.chains.edges_of(vertices) {
+                // The faces at an edge are opposite the other two vertices.
+                let is_crossed = EDGES[5 - at].iter().all(|&opposite| !is_outer[opposite]);
+                near.note_subsegment(subsegment, is_crossed, &mut places)?;
             }
             // A face inside of a whole cavity comes with the simplex on either side.
             let comes_again =
                 |index: usize| cavity.is_whole && complex.neighbors(simplex)[index] < simplex;
-            let faces = facets.faces_of(vertices, |index| match is_outer[index] {
+            let is_wanted = |index: usize| match is_outer[index] {
                 true => !only_crossed,
                 false => !comes_again(index),
-            });
-            for (face, is_outer) in faces.into_iter().zip(is_outer) {
-                if let Some(subfacet) = face {
-                    near.subfacets.try_push((subfacet, !is_outer))?;
-                }
+            };
+            for (index, subfacet) in facets.faces_of(vertices, is_wanted) {
+                near.subfacets.try_push((subfacet, !is_outer[index]))?;
             }
         }
         (facets.near, facets.places) = (near, places);

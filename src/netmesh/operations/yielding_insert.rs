@@ -12,7 +12,7 @@ use crate::netmesh::state::{Mesher, State};
 
 /// Number of conflicts from which on those in another region than the simplex' own do not count:
 /// the walls on the way there are nearer, and are split first.
-const MOST_BEYOND: usize = 256;
+const MOST_BEYOND: usize = 64;
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Inserts the Steiner point for `simplex`, or the input that it yields to (YIELDINGINSERT).

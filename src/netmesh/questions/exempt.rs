@@ -90,11 +90,11 @@ impl<const D: usize> State<D> {
     /// Returns true if a live simplex is beyond the bound, and stays because it is forced.
     pub(in crate::netmesh) fn is_bad_but_forced(&self, simplex: SimplexId) -> bool {
         let radius = self.delaunay.radius(simplex).unwrap_or(0.0);
-        let may_be = match self.as_space() {
-            Some(state) => !state.is_flat(simplex) && self.is_in_one_domain(simplex),
-            None => self.is_forced(simplex),
-        };
-        may_be && self.short_edge(simplex, radius).is_some()
+        self.short_edge(simplex, radius).is_some()
+            && match self.as_space() {
+                Some(state) => !state.is_flat(simplex) && self.is_in_one_domain(simplex),
+                None => self.is_forced(simplex),
+            }
     }
 
     /// Returns true if a live simplex of the domain is beyond the bound though no small angle

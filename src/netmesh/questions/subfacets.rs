@@ -58,29 +58,24 @@ pub(in crate::netmesh) fn sine_of_sum(a: &[f64; 3], b: &[f64; 3], apexes: [&[f64
 impl State<3> {
     /// Returns true if an edge of the mesh goes from `a` to `b`.
     pub(in crate::netmesh) fn has_edge(&mut self, a: VertexId, b: VertexId) -> AllocResult<bool> {
-        self.has_all(a, &[b])
+        self.has_all(a.max(b), &[a.min(b)])
     }
 
     /// Returns true if a subfacet is a face of the mesh.
     pub(in crate::netmesh) fn has_face(&mut self, vertices: &[VertexId; 3]) -> AllocResult<bool> {
-        // The last vertex has the smallest star.
         let mut by_age = *vertices;
         by_age.sort_unstable();
         self.has_all(by_age[2], &by_age[..2])
     }
 
-    /// Returns true if a simplex at `vertex` has all of `others`.
+    /// Returns true if a simplex at `vertex` has all of `others`. The last of them should be
+    /// `vertex`: it has the smallest star.
     fn has_all(&mut self, vertex: VertexId, others: &[VertexId]) -> AllocResult<bool> {
         let Self { delaunay, facets, .. } = self;
-        if !delaunay.complex().contains_vertex(vertex) {
-            return Ok(false);
+        match delaunay.complex().contains_vertex(vertex) {
+            true => delaunay.star_has(vertex, others, &mut facets.star),
+            false => Ok(false),
         }
-        delaunay.star(vertex, &mut facets.star)?;
-        let complex = delaunay.complex();
-        Ok(facets.star.iter().any(|&simplex| {
-            let vertices = complex.vertices(simplex);
-            others.iter().all(|other| vertices.contains(other))
-        }))
     }
 
     pub(in crate::netmesh) fn points_of(&self, vertices: [VertexId; 3]) -> [&[f64; 3]; 3] {

@@ -22,7 +22,7 @@ use crate::memory::{
 };
 use crate::mesh::NONE;
 use crate::nearest::Bounds;
-use crate::netmesh::state::bits::bit_of;
+use crate::netmesh::state::bits::{bit_of, in_three_of};
 use crate::netmesh::state::facets::bent::Bent;
 use crate::netmesh::state::facets::faces::{FACES, Faces};
 use crate::netmesh::state::facets::features::Features;
@@ -394,23 +394,33 @@ impl Facets {
         }
     }
 
-    /// Returns the subfacets that are faces of a simplex, of those that `is_wanted` is true of:
-    /// number i is opposite vertex number i.
+    /// Returns the subfacets that are faces of a simplex, with the numbers of the vertices opposite,
+    /// of those that `is_wanted` is true of.
     #[inline]
     pub fn faces_of(
         &self,
         vertices: &[VertexId],
         is_wanted: impl Fn(usize) -> bool,
-    ) -> [Option<u32>; 4] {
-        let bits: [u64; 4] = std::array::from_fn(|at| self.bits(vertices[at]));
-        std::array::from_fn(|index| {
-            let face = FACES[index];
+    ) -> impl Iterator<Item = (usize, u32)> {
+        let bits = self.bits_of(vertices);
+        FACES.iter().enumerate().filter_map(move |(index, face)| {
             match bits[face[0]] & bits[face[1]] & bits[face[2]] {
                 0 => None,
                 _ if !is_wanted(index) => None,
-                _ => self.faces.get(&face.map(|at| vertices[at])),
+                _ => Some((index, self.faces.get(&face.map(|at| vertices[at]))?)),
             }
         })
+    }
+
+    /// Returns true if three vertices of a simplex may be on one facet.
+    #[inline]
+    pub fn may_have_face(&self, vertices: &[VertexId]) -> bool {
+        in_three_of(self.bits_of(vertices)) != 0
+    }
+
+    #[inline]
+    fn bits_of(&self, vertices: &[VertexId]) -> [u64; 4] {
+        std::array::from_fn(|at| self.bits(vertices[at]))
     }
 
     /// Returns the bits of the facets that a vertex is on. Vertices of one facet have a bit in

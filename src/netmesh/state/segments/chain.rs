@@ -6,7 +6,7 @@
 use crate::complex::VertexId;
 use crate::error::Result;
 use crate::memory::{AllocError, AllocResult, Array, TryGrow, enqueue, filled, with_capacity};
-use crate::netmesh::state::bits::bit_of;
+use crate::netmesh::state::bits::{bit_of, in_two_of};
 use crate::netmesh::state::facets::faces::EDGES;
 use crate::netmesh::state::watch::Watch;
 use std::collections::VecDeque;
@@ -308,15 +308,26 @@ impl Chains {
         self.between_places((a, self.place(a)), (b, self.place(b)))
     }
 
-    /// Returns the subsegments between the vertices of a tetrahedron, in the order of
+    /// Returns the subsegments between the vertices of a tetrahedron, with their places in
     /// [`EDGES`].
     #[inline]
-    pub fn edges_of(&self, vertices: &[VertexId]) -> [Option<u32>; 6] {
-        let bits: [u64; 4] = std::array::from_fn(|at| self.bits(vertices[at]));
-        EDGES.map(|[a, b]| match bits[a] & bits[b] {
+    pub fn edges_of(&self, vertices: &[VertexId]) -> impl Iterator<Item = (usize, u32)> {
+        let bits = self.bits_of(vertices);
+        EDGES.iter().enumerate().filter_map(move |(at, &[a, b])| match bits[a] & bits[b] {
             0 => None,
-            _ => self.edge_between(vertices[a], vertices[b]),
+            _ => Some((at, self.edge_between(vertices[a], vertices[b])?)),
         })
+    }
+
+    /// Returns true if two vertices of a tetrahedron may be on one line.
+    #[inline]
+    pub fn may_have_edge(&self, vertices: &[VertexId]) -> bool {
+        in_two_of(self.bits_of(vertices)) != 0
+    }
+
+    #[inline]
+    fn bits_of(&self, vertices: &[VertexId]) -> [u64; 4] {
+        std::array::from_fn(|at| self.bits(vertices[at]))
     }
 
     #[inline]
@@ -458,8 +469,8 @@ mod tests {
             let found = [(a, b), (b, a)]
                 .map(|(a, b)| chains.sides_of(&[vertex(a), vertex(b), elsewhere])[2]);
             assert_eq!(found[0], found[1]);
-            let all = chains.edges_of(&[elsewhere, vertex(a), vertex(b), VertexId::INFINITE]);
-            assert_eq!(all, [None, None, None, found[0], None, None]);
+            let four = [elsewhere, vertex(a), vertex(b), VertexId::INFINITE];
+            assert!(chains.edges_of(&four).eq(found[0].map(|own| (3, own))));
             found[0]
         };
         assert_eq!([ends(&chains, 0, 1), ends(&chains, 0, 2)], [Some(0), Some(1)]);

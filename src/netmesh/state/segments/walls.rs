@@ -75,13 +75,13 @@ impl Walls<'_> {
     /// it is on: number i is opposite vertex number i.
     #[inline]
     pub fn subfacets_of(self, vertices: &[VertexId]) -> [Seen; 4] {
-        let numbers = self.facets.faces_of(vertices, |_| true);
-        std::array::from_fn(|index| {
-            let (number, face) = (numbers[index]?, FACES[index].map(|at| vertices[at]));
-            let subfacet = self.facets.get(number);
-            let start = face.iter().position(|&vertex| vertex == subfacet.vertices[0])?;
-            let is_behind = face[(start + 1) % 3] != subfacet.vertices[1];
-            Some((number, usize::from(is_behind)))
-        })
+        let mut seen = [None; 4];
+        for (index, number) in self.facets.faces_of(vertices, |_| true) {
+            let own = self.facets.get(number).vertices;
+            let face = FACES[index].map(|at| vertices[at]);
+            let is_before = (0..3).any(|at| [face[at], face[(at + 1) % 3]] == [own[0], own[1]]);
+            seen[index] = Some((number, usize::from(!is_before)));
+        }
+        seen
     }
 }

@@ -102,10 +102,11 @@ fn assert_unmarked<const D: usize>(delaunay: &Delaunay<D>) {
     assert!(complex.simplices().all(|simplex| !complex.is_marked(simplex)));
 }
 
-/// Asserts that the star of each vertex has all simplices at it, each once.
+/// Asserts that the star of each vertex has all simplices at it, each once, and that a search there
+/// finds the vertices of one that has them and no others.
 fn assert_stars<const D: usize>(delaunay: &mut Delaunay<D>) {
     let live = live_simplices(delaunay);
-    let mut star = Array::new();
+    let (mut star, mut searched) = (Array::new(), Array::new());
     for vertex in VertexId::below(delaunay.point_count()) {
         if delaunay.complex().contains_vertex(vertex) {
             delaunay.star(vertex, &mut star).unwrap();
@@ -114,6 +115,18 @@ fn assert_stars<const D: usize>(delaunay: &mut Delaunay<D>) {
             let has =
                 |&&simplex: &&SimplexId| delaunay.complex().vertices(simplex).contains(&vertex);
             assert!(live.iter().filter(has).eq(&star));
+            for other in VertexId::below(delaunay.point_count()).skip(vertex.index() / 3).take(4) {
+                let both = [other, VertexId::new(other.index() / 2)];
+                for others in [&both[..1], &both] {
+                    let is_there = star.iter().any(|&simplex| {
+                        let own = delaunay.complex().vertices(simplex);
+                        others.iter().all(|other| own.contains(other))
+                    });
+                    let is_found = delaunay.star_has(vertex, others, &mut searched).unwrap();
+                    assert_eq!(is_found, is_there, "{vertex:?} {others:?}");
+                    assert_unmarked(delaunay);
+                }
+            }
         }
     }
 }

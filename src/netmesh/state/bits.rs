@@ -19,9 +19,26 @@ pub(in crate::netmesh) fn in_three_of([a, b, c, d]: [u64; 4]) -> u64 {
     a & b & (c | d) | c & d & (a | b)
 }
 
+/// Returns the numbers of the bits of a set, the least first.
+#[inline]
+pub(in crate::netmesh) fn numbers_in(mut set: u32) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let least = set.trailing_zeros();
+        set &= set.checked_sub(1)?;
+        Some(least as usize)
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn numbers_are_those_of_the_bits() {
+        assert!(numbers_in(0).next().is_none());
+        assert!(numbers_in(0b1000_0110).eq([1, 2, 7]));
+        assert!(numbers_in(u32::MAX).eq(0..32));
+    }
 
     #[test]
     fn bits_of_two_and_of_three_sets_are_counted() {

@@ -22,7 +22,7 @@ use crate::memory::{
 };
 use crate::mesh::NONE;
 use crate::nearest::Bounds;
-use crate::netmesh::state::bits::{bit_of, in_three_of};
+use crate::netmesh::state::bits::{bit_of, in_three_of, numbers_in};
 use crate::netmesh::state::facets::bent::Bent;
 use crate::netmesh::state::facets::faces::{FACES, Faces};
 use crate::netmesh::state::facets::features::Features;
@@ -403,12 +403,14 @@ impl Facets {
         is_wanted: impl Fn(usize) -> bool,
     ) -> impl Iterator<Item = (usize, u32)> {
         let bits = self.bits_of(vertices);
-        FACES.iter().enumerate().filter_map(move |(index, face)| {
-            match bits[face[0]] & bits[face[1]] & bits[face[2]] {
-                0 => None,
-                _ if !is_wanted(index) => None,
-                _ => Some((index, self.faces.get(&face.map(|at| vertices[at]))?)),
-            }
+        let may_be = FACES.iter().enumerate().fold(0, |all, (index, &[a, b, c])| {
+            let has_common = bits[a] & bits[b] & bits[c] != 0;
+            all | u32::from(has_common) << index
+        });
+        let wanted = numbers_in(may_be).filter(move |&index| is_wanted(index));
+        wanted.filter_map(move |index| {
+            let [a, b, c] = FACES[index];
+            Some((index, self.faces.get(&[vertices[a], vertices[b], vertices[c]])?))
         })
     }
 

@@ -6,7 +6,7 @@
 use crate::complex::VertexId;
 use crate::error::Result;
 use crate::memory::{AllocError, AllocResult, Array, TryGrow, enqueue, filled, with_capacity};
-use crate::netmesh::state::bits::{bit_of, in_two_of};
+use crate::netmesh::state::bits::{bit_of, in_two_of, numbers_in};
 use crate::netmesh::state::facets::faces::EDGES;
 use crate::netmesh::state::watch::Watch;
 use std::collections::VecDeque;
@@ -313,9 +313,13 @@ impl Chains {
     #[inline]
     pub fn edges_of(&self, vertices: &[VertexId]) -> impl Iterator<Item = (usize, u32)> {
         let bits = self.bits_of(vertices);
-        EDGES.iter().enumerate().filter_map(move |(at, &[a, b])| match bits[a] & bits[b] {
-            0 => None,
-            _ => Some((at, self.edge_between(vertices[a], vertices[b])?)),
+        let may_be = EDGES.iter().enumerate().fold(0, |all, (at, &[a, b])| {
+            let has_common = bits[a] & bits[b] != 0;
+            all | u32::from(has_common) << at
+        });
+        numbers_in(may_be).filter_map(move |at| {
+            let [a, b] = EDGES[at];
+            Some((at, self.edge_between(vertices[a], vertices[b])?))
         })
     }
 

@@ -1,8 +1,8 @@
 //! Surfaces that cross themselves no farther than roundings: needles, spurs, fins, and zeros that
 //! trigonometry leaves.
 
-use super::assert_holds;
 use super::crossings::{run, split, surface};
+use super::{assert_holds, bounded};
 use netmesh::error::ErrorKind;
 use netmesh::options::{Extent, Options};
 
@@ -176,6 +176,28 @@ fn an_edge_of_a_facet_goes_through_a_corner_that_others_pass() {
         let points = places.map(|units| units.map(place));
         for extent in [Extent::All, Extent::Box] {
             run(&points, &triangles, &split(extent, f64::INFINITY));
+        }
+    }
+}
+
+/// Holds that a facet ends where its own subfacets do. Two edges of a triangle go through a vertex
+/// a unit beside their corner, the hull's along the same ends past it: of either edge there is a
+/// straight chain, and one that comes to the rim of the subfacets only behind that vertex.
+#[test]
+fn edges_of_a_facet_come_to_its_rim_behind_its_corner() {
+    let steps = [
+        [0.0; 3],
+        [2f64.powi(21), 1.5 * 2f64.powi(32), 2f64.powi(20)],
+        [2.0, 1.5 * 2f64.powi(28), 1.5 * 2f64.powi(24)],
+        [1.0, 16.0, 0.0],
+        [2f64.powi(31), 0.0, 2f64.powi(25)],
+        [3.0, 1.0, 5.0 * 2f64.powi(21)],
+        [0.0, 4.0, 1.75 * 2f64.powi(30)],
+    ];
+    let points = steps.map(|steps| steps.map(|step| 1.0 + step * f64::EPSILON));
+    for triangle in [[0, 1, 2], [1, 0, 2]] {
+        for options in [bounded(f64::INFINITY), split(Extent::Hull, f64::INFINITY)] {
+            run(&points, &[triangle], &Options { extent: Extent::Hull, ..options });
         }
     }
 }

@@ -143,20 +143,49 @@ impl<'a, const D: usize> Chains<'a, D> {
         self.rims.note(self.view.mesh.boundary.subsegments.len(), facet, rim)
     }
 
-    /// Fills `path` as [`Self::lead`] does, keeping to the rim that was noted of a facet.
+    /// Fills `path` as [`Self::lead`] does, keeping to the rim that was noted of a facet. A rim
+    /// that begins beside the first end is come to from the other one.
     pub fn lead_along_rim(&mut self, way: Way, facet: u32, keep: Keep) -> AllocResult<bool> {
-        let [from, to] = way.ends;
         self.rims.keep(Some((facet, keep)));
+        let mut is_found = self.search_along_rim(way, keep)?;
+        if keep.leaves_rim() && !(is_found && self.is_along_rim()) {
+            let forwards = std::mem::take(&mut self.path);
+            let [from, to] = way.ends;
+            self.rims.turn_round();
+            match self.search_along_rim(Way { ends: [to, from], ..way }, keep)? {
+                true if self.is_along_rim() => {
+                    self.path.reverse();
+                    is_found = true;
+                }
+                _ => self.path = forwards,
+            }
+        }
+        self.rims.keep(None);
+        Ok(is_found)
+    }
+
+    fn search_along_rim(&mut self, way: Way, keep: Keep) -> AllocResult<bool> {
+        let [from, to] = way.ends;
         self.path.clear();
         self.path.try_push(from)?;
         // A way that keeps to the rim as far as that leads may be bent where a straight one is.
-        let is_found = match keep {
+        match keep {
             Keep::AsFar => self.search_bent(way, from, to),
             Keep::Bent => self.search_gap(way, from, to, Nearness::Bent),
             Keep::Directed | Keep::Along => self.cross_gap(way, from, to),
-        };
-        self.rims.keep(None);
-        is_found
+        }
+    }
+
+    /// Returns true if some subsegment of the way that was found last is at the rim to which
+    /// searches keep.
+    fn is_along_rim(&self) -> bool {
+        let boundary = &self.view.mesh.boundary;
+        self.path.windows(2).any(|pair| {
+            self.at.of(pair[0] as usize).iter().any(|&own| {
+                let is_between = boundary.subsegments[own as usize].contains(&pair[1]);
+                is_between && self.rims.hold(own, pair[0] < pair[1])
+            })
+        })
     }
 
     /// Returns the vertices of the way that was found last, from end to end.

@@ -32,6 +32,8 @@ pub(super) struct Rims {
     /// and true if that runs from its lower end; those beyond were not noted.
     of: Vec<(u32, bool)>,
     keeps: Option<(u32, Keep)>,
+    /// True if searches go against the rim.
+    is_backwards: bool,
 }
 
 impl Rims {
@@ -47,7 +49,12 @@ impl Rims {
 
     /// Lets searches keep to the rim of a facet from now on; to none without one.
     pub fn keep(&mut self, keeps: Option<(u32, Keep)>) {
-        self.keeps = keeps;
+        (self.keeps, self.is_backwards) = (keeps, false);
+    }
+
+    /// Lets searches go against the rim to which they keep.
+    pub fn turn_round(&mut self) {
+        self.is_backwards = !self.is_backwards;
     }
 
     /// Returns true if a chain may lead along a subsegment, from its lower end if `is_upward`.
@@ -60,7 +67,8 @@ impl Rims {
     pub fn hold(&self, subsegment: u32, is_upward: bool) -> bool {
         self.keeps.is_none_or(|(facet, keep)| {
             let own = self.of.get(subsegment as usize);
-            let is_along = |along: bool| keep == Keep::Along || along == is_upward;
+            let leads = |along: bool| along == (is_upward != self.is_backwards);
+            let is_along = |along: bool| keep == Keep::Along || leads(along);
             own.is_some_and(|&(of, along)| of == facet && is_along(along))
         })
     }

@@ -11,7 +11,8 @@ impl<const D: usize> Complex<D> {
     }
 
     /// Returns true if a live simplex at `vertex` has all of `others`. Takes time linear in the
-    /// star of `vertex`, a part of it mostly if there is one. `star` is for the search.
+    /// star of `vertex`, and mostly less if there is one. `star` is a place for the search. Uses the
+    /// marks, and leaves none.
     pub fn star_has(
         &mut self,
         vertex: VertexId,
@@ -21,8 +22,8 @@ impl<const D: usize> Complex<D> {
         self.search_star(vertex, star, |own| others.iter().all(|other| own.contains(other)))
     }
 
-    /// Collects the live simplices at `vertex` into `star` (cleared first) until vertices of one
-    /// are sought: then returns true.
+    /// Collects live simplices at `vertex` into `star` (cleared first): all, and returns false; or
+    /// those up to the first whose vertices `are_sought`, and returns true.
     #[inline(always)]
     fn search_star(
         &mut self,

@@ -87,7 +87,8 @@ impl<const D: usize> State<D> {
         self.is_on_shell(vertices[a], vertices[b])
     }
 
-    /// Returns true if a live simplex is beyond the bound, and stays because it is forced.
+    /// Returns true if a live and finite simplex is beyond the bound, and stays because it is
+    /// forced.
     pub(in crate::netmesh) fn is_bad_but_forced(&self, simplex: SimplexId) -> bool {
         let radius = self.delaunay.radius(simplex).unwrap_or(0.0);
         self.short_edge(simplex, radius).is_some()

@@ -68,7 +68,7 @@ impl State<3> {
         self.has_all(by_age[2], &by_age[..2])
     }
 
-    /// Returns true if a simplex at `vertex` has all of `others`. The last of them should be
+    /// Returns true if a simplex at `vertex` has all of `others`. The youngest of all should be
     /// `vertex`: it has the smallest star.
     fn has_all(&mut self, vertex: VertexId, others: &[VertexId]) -> AllocResult<bool> {
         let Self { delaunay, facets, .. } = self;

@@ -394,8 +394,8 @@ impl Facets {
         }
     }
 
-    /// Returns the subfacets that are faces of a simplex, with the numbers of the vertices opposite,
-    /// of those that `is_wanted` is true of.
+    /// Returns the subfacets that are faces of a simplex, each with the number of the vertex
+    /// opposite, of which `is_wanted` is true.
     #[inline]
     pub fn faces_of(
         &self,

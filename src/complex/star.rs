@@ -11,8 +11,8 @@ impl<const D: usize> Complex<D> {
     }
 
     /// Returns true if a live simplex at `vertex` has all of `others`. Takes time linear in the
-    /// star of `vertex`, and mostly less if there is one. `star` is a place for the search. Uses the
-    /// marks, and leaves none.
+    /// star of `vertex`, and mostly less if there is one. `star` is a place for the search. Uses
+    /// the marks, and leaves none.
     pub fn star_has(
         &mut self,
         vertex: VertexId,

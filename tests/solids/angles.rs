@@ -326,6 +326,30 @@ fn a_twisted_prism_gets_vertices() {
     }
 }
 
+/// Tetrahedra all round an edge that they share, whose outer edges leave its ends at different
+/// angles. A vertex on one of their sides is off the next one by almost half its distance from the
+/// edge, and more from those behind; each of these has it where all have copies of all others'
+/// vertices.
+#[test]
+fn sides_of_many_tetrahedra_about_an_edge_are_copies_of_each_other() {
+    for (count, most) in [(13, 15), (14, 180), (24, 400)] {
+        let corner = |k: usize| {
+            let (sine, cosine) = (std::f64::consts::TAU * k as f64 / count as f64).sin_cos();
+            [cosine, sine, [0.5, 0.8, 0.5, 0.2][k % 4]]
+        };
+        let ends = [[0.0; 3], [0.0, 0.0, 1.0]];
+        let points = ends.into_iter().chain((0..count).map(corner)).collect();
+        let polygons = (0..count as u32).flat_map(|k| {
+            let [a, b] = [k, (k + 1) % count as u32].map(|k| 2 + k);
+            [vec![0, 1, a], vec![0, b, a], vec![1, a, b]]
+        });
+        let solid = Solid { points, polygons: polygons.collect(), regions: Vec::new() };
+        let limited = Options { max_vertices: 4_000, ..bounded(f64::INFINITY) };
+        let mesh = solid.run(&limited);
+        assert!(mesh.vertex_count() <= most, "{count}: {}", mesh.vertex_count());
+    }
+}
+
 /// A domain that is far larger than what is in it costs no more at any scale.
 #[test]
 fn nested_boxes_conform_at_any_ratio() {

@@ -18,15 +18,24 @@ use crate::netmesh::state::facets::plane::Plane;
 use crate::numerics::{distance, foot_on_line, norm, orientation};
 
 /// Largest distance of a vertex from its image, relative to that of the image from the nearest
-/// vertex in the sheet, where the image is a copy.
-const BESIDE_COPY: f64 = 0.3;
+/// vertex in the sheet, where the image is a copy. With 0.3 fans of 14 facets and more about a
+/// line, whose edges leave its ends at different angles, are split without end: each at centres of
+/// its own, ever nearer to the line.
+const BESIDE_COPY: f64 = 10.0;
+
+/// Largest such part in a mesh that has had all of the boundary. With 10 some surfaces have half as
+/// many vertices again.
+const BESIDE_LATER_COPY: f64 = 0.3;
 
 /// Largest such part where the image is a foot, for a subfacet of ordinary size. With 0.3 a wall
 /// has a third more vertices, and most surfaces have as many as without images.
 const BESIDE_FOOT: f64 = 0.03;
 
-/// Radius of a subfacet, relative to that of the smallest of its facet before any was split, below
-/// which feet count as copies do: facets without a common line split each other there.
+/// Largest such part for a subfacet that is deep.
+const BESIDE_DEEP_FOOT: f64 = 0.3;
+
+/// Radius of a subfacet that is deep, relative to that of the smallest of its facet before any was
+/// split: facets without a common line split each other there.
 const DEEP: f64 = 0.0625;
 
 /// Subfacet that is to be split, with its circle.
@@ -36,7 +45,9 @@ struct Target {
     vertices: [VertexId; 3],
     center: [f64; 3],
     radius: f64,
-    /// Largest distance of a vertex from its foot, relative to that from the nearest vertex.
+    /// Largest distances of a vertex from its copy and from its foot, relative to that of these
+    /// from the nearest vertex.
+    beside_copy: f64,
     beside_foot: f64,
 }
 
@@ -68,8 +79,10 @@ impl State<3> {
         let (center, radius) = self.circle_of(subfacet);
         let (facet, vertices) = (own.facet, own.vertices);
         let is_deep = radius < DEEP * self.facets.facets[facet as usize].first_radius;
-        let beside_foot = if is_deep { BESIDE_COPY } else { BESIDE_FOOT };
-        let target = Target { subfacet, facet, vertices, center, radius, beside_foot };
+        let is_recovered = self.segments.regions.is_known();
+        let beside_copy = if is_recovered { BESIDE_LATER_COPY } else { BESIDE_COPY };
+        let beside_foot = if is_deep { BESIDE_DEEP_FOOT } else { BESIDE_FOOT };
+        let target = Target { subfacet, facet, vertices, center, radius, beside_copy, beside_foot };
         let mut star = std::mem::take(&mut self.facets.star);
         let mut around = std::mem::take(&mut self.facets.around);
         around.restart(self.delaunay.point_count())?;
@@ -95,8 +108,8 @@ impl State<3> {
         Ok(best.map(|image| (image.subfacet, image.place)))
     }
 
-    /// Returns true if a vertex is on the boundary, not on the facet of `target`, in the smallest
-    /// ball of that, and near to its plane.
+    /// Returns true if a vertex is on the boundary, not on the facet of `target`, and in the
+    /// smallest ball of that.
     fn may_have_image(&self, vertex: VertexId, target: &Target) -> bool {
         let is_on_boundary = self.facets.holds(vertex) || self.segments.chains.holds(vertex);
         if !is_on_boundary || target.vertices.contains(&vertex) {
@@ -105,14 +118,14 @@ impl State<3> {
         let x = self.delaunay.point(vertex);
         distance(x, &target.center) < target.radius
             && !self.facets_of(vertex).any(|facet| facet == target.facet)
-            && distance(x, &self.facets.foot(target.facet, x)) <= BESIDE_COPY * target.radius
     }
 
-    /// Returns the image of a vertex in the sheet of `target`, if the vertex is near to it.
+    /// Returns the image of a vertex in the sheet of `target`, if that is not much nearer to a
+    /// vertex there than to its own.
     fn image_of(&self, vertex: VertexId, target: &Target) -> Option<Image> {
         let x = self.delaunay.point(vertex);
         let (place, beside) = match self.meeting_with(vertex, target.facet) {
-            Some(Meeting::Line(line)) => (self.turned(x, line, target.facet), BESIDE_COPY),
+            Some(Meeting::Line(line)) => (self.turned(x, line, target.facet), target.beside_copy),
             Some(Meeting::Vertex(_)) | None => {
                 (self.facets.foot(target.facet, x), target.beside_foot)
             }

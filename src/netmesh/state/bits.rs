@@ -1,5 +1,6 @@
-//! Sets of numbers as bits of a word, which tell mostly that two sets, or a set and a number, have nothing
-//! in common (B. H. Bloom, "Space/time trade-offs in hash coding with allowable errors", 1970).
+//! Sets of numbers as bits of a word, which tell mostly that two sets, or a set and a number, have
+//! nothing in common (B. H. Bloom, "Space/time trade-offs in hash coding with allowable errors",
+//! 1970).
 
 /// Returns the bit that stands for a number, and for every 64th before and behind it.
 #[inline]

@@ -1,6 +1,6 @@
-//! Mirror images: places in a facet beside vertices that are near to its plane, on facets or
-//! segments that meet it at a small angle or face it at a small distance. The image of a vertex is
-//! its copy, turned about the line where two facets meet, or its foot otherwise.
+//! Mirror images: places in a facet beside vertices on facets or segments that meet it at a small
+//! angle or face it at a small distance. The image of a vertex is its copy, turned about the line
+//! where two facets meet, or its foot otherwise.
 //!
 //! A subfacet that such a vertex takes from the mesh is split at the image of that, not at the
 //! centre of its circle. Where two sheets have images of each other's vertices, no vertex of one is
